@@ -1,0 +1,248 @@
+#include "surface/carrier.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/contract.hpp"
+
+namespace lamina::surface {
+namespace {
+
+using geometry::AffineMap;
+using geometry::ExactPoint;
+using geometry::ExactRay;
+using number::Integer;
+using number::IntegerPolynomial;
+using number::Rational;
+
+using Exponents = std::array<int, 4>;           // of x, y, z, w
+using Form = std::map<Exponents, Rational>;     // a homogeneous polynomial
+
+// The monomials of a degree in x, y, z, w: x^d first, w^d last.
+const std::vector<Exponents>& monomials_of(int degree) {
+  static const std::array<std::vector<Exponents>, 5> all = [] {
+    std::array<std::vector<Exponents>, 5> result;
+    for (int d = 0; d <= 4; ++d) {
+      for (int x = d; x >= 0; --x) {
+        for (int y = d - x; y >= 0; --y) {
+          for (int z = d - x - y; z >= 0; --z) {
+            result[d].push_back({x, y, z, d - x - y - z});
+          }
+        }
+      }
+    }
+    return result;
+  }();
+  return all.at(degree);
+}
+
+Form add(const Form& a, const Form& b, const Rational& factor) {
+  Form sum = a;
+  for (const auto& [exponents, coefficient] : b) {
+    sum[exponents] += factor * coefficient;
+  }
+  return sum;
+}
+
+Form multiply(const Form& a, const Form& b) {
+  Form product;
+  for (const auto& [ea, ca] : a) {
+    for (const auto& [eb, cb] : b) {
+      product[{ea[0] + eb[0], ea[1] + eb[1], ea[2] + eb[2], ea[3] + eb[3]}] += ca * cb;
+    }
+  }
+  return product;
+}
+
+// The local coordinates x, y, z, w as linear forms of the world's.
+std::array<Form, 4> local_coordinates(const AffineMap& to_local) {
+  std::array<Form, 4> forms;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = to_local.rows[i];
+    forms[i] = {{{1, 0, 0, 0}, row[0]}, {{0, 1, 0, 0}, row[1]}, {{0, 0, 1, 0}, row[2]},
+                {{0, 0, 0, 1}, row[3]}};
+  }
+  forms[3] = {{{0, 0, 0, 1}, Rational(1)}};
+  return forms;
+}
+
+Form world_form(const LocalSurface& surface, const AffineMap& to_local) {
+  const auto [x, y, z, w] = local_coordinates(to_local);
+  const auto& c = surface.coefficients;
+  switch (surface.kind) {
+    case Kind::Plane:
+      return add(add(add(add({}, x, c[0]), y, c[1]), z, c[2]), w, c[3]);
+    case Kind::Quadric: {
+      const std::array<std::pair<const Form&, const Form&>, 10> factors{
+          {{x, x}, {y, y}, {z, z}, {x, y}, {x, z}, {y, z}, {x, w}, {y, w}, {z, w}, {w, w}}};
+      Form sum;
+      for (std::size_t i = 0; i < factors.size(); ++i) {
+        sum = add(sum, multiply(factors[i].first, factors[i].second), c[i]);
+      }
+      return sum;
+    }
+    case Kind::Torus: {
+      const Rational major_squared = c[0] * c[0];
+      const Form ww = multiply(w, w);
+      const Form across = add(multiply(x, x), multiply(y, y), 1);
+      const Form inner =
+          add(add(across, multiply(z, z), 1), ww, major_squared - c[1] * c[1]);
+      return add(multiply(inner, inner), multiply(across, ww), -4 * major_squared);
+    }
+  }
+  return {};
+}
+
+// Divides by the highest power of w in all terms: a quadric whose quadratic part is zero is
+// a plane.
+int reduce_degree(Form& form, int degree) {
+  const auto divisible = [&form] {
+    for (const auto& [exponents, coefficient] : form) {
+      if (!coefficient.is_zero() && exponents[3] == 0) {
+        return false;
+      }
+    }
+    return true;
+  };
+  while (degree > 1 && divisible()) {
+    Form reduced;
+    for (const auto& [e, coefficient] : form) {
+      if (e[3] > 0) {
+        reduced[{e[0], e[1], e[2], e[3] - 1}] = coefficient;
+      }
+    }
+    form = std::move(reduced);
+    --degree;
+  }
+  return degree;
+}
+
+std::vector<Integer> multiply(const std::vector<Integer>& a, const std::vector<Integer>& b) {
+  std::vector<Integer> product(a.size() + b.size() - 1, Integer(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      product[i + j] += a[i] * b[j];
+    }
+  }
+  return product;
+}
+
+}  // namespace
+
+std::strong_ordering operator<=>(const Carrier& a, const Carrier& b) {
+  if (const auto order = a.degree <=> b.degree; order != 0) {
+    return order;
+  }
+  for (std::size_t i = 0; i < a.coefficients.size(); ++i) {
+    if (const int order = a.coefficients[i].compare(b.coefficients[i]); order != 0) {
+      return order <=> 0;
+    }
+  }
+  return std::strong_ordering::equal;
+}
+
+OrientedCarrier carrier_of(const LocalSurface& surface, const AffineMap& to_local) {
+  Form form = world_form(surface, to_local);
+  const int written_degree = surface.kind == Kind::Plane ? 1 : surface.kind == Kind::Quadric ? 2 : 4;
+  OrientedCarrier result;
+  result.carrier.degree = reduce_degree(form, written_degree);
+
+  Integer denominators = 1;
+  Integer numerators = 0;
+  for (const auto& [exponents, coefficient] : form) {
+    denominators = lcm(denominators, Integer(denominator(coefficient)));
+  }
+  bool constant = true;
+  for (const Exponents& exponents : monomials_of(result.carrier.degree)) {
+    const auto found = form.find(exponents);
+    const Rational value = found == form.end() ? Rational(0) : found->second * denominators;
+    result.carrier.coefficients.emplace_back(numerator(value));
+    numerators = gcd(numerators, result.carrier.coefficients.back());
+    constant = constant && (value.is_zero() || exponents[3] == result.carrier.degree);
+  }
+  if (constant) {
+    throw base::InputError("the equation of this surface is constant: it has no points or all");
+  }
+  for (const Integer& coefficient : result.carrier.coefficients) {
+    if (!coefficient.is_zero()) {
+      result.side = coefficient.sign();
+      break;
+    }
+  }
+  for (Integer& coefficient : result.carrier.coefficients) {
+    coefficient /= result.side * numerators;
+  }
+  return result;
+}
+
+RayMonomials::RayMonomials(const ExactRay& ray) {
+  Integer common = 1;
+  for (const Rational* value : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x,
+                                &ray.direction.y, &ray.direction.z}) {
+    common = lcm(common, Integer(denominator(*value)));
+  }
+  const auto linear = [&common](const Rational& origin, const Rational& direction) {
+    return Polynomial{numerator(origin) * (common / denominator(origin)),
+                      numerator(direction) * (common / denominator(direction))};
+  };
+  coordinates_ = {linear(ray.origin.x, ray.direction.x), linear(ray.origin.y, ray.direction.y),
+                  linear(ray.origin.z, ray.direction.z), Polynomial{common}};
+}
+
+const std::vector<RayMonomials::Polynomial>& RayMonomials::monomials(int degree) {
+  std::vector<Polynomial>& result = monomials_.at(degree);
+  if (!result.empty()) {
+    return result;
+  }
+  if (degree == 0) {
+    result.push_back({Integer(1)});
+    return result;
+  }
+  // Each monomial is a coordinate times one of the next lower degree, which are in the same
+  // order: x times all of them, y times those without x, and so on.
+  const std::vector<Polynomial>& lower = monomials(degree - 1);
+  const std::vector<Exponents>& lower_exponents = monomials_of(degree - 1);
+  for (const Exponents& exponents : monomials_of(degree)) {
+    std::size_t coordinate = 0;
+    while (exponents[coordinate] == 0) {
+      ++coordinate;
+    }
+    Exponents rest = exponents;
+    --rest[coordinate];
+    const auto position = std::find(lower_exponents.begin(), lower_exponents.end(), rest);
+    result.push_back(
+        multiply(coordinates_[coordinate], lower[position - lower_exponents.begin()]));
+  }
+  return result;
+}
+
+IntegerPolynomial RayMonomials::restrict(const Carrier& carrier) {
+  const std::vector<Polynomial>& powers = monomials(carrier.degree);
+  std::vector<Integer> sum(static_cast<std::size_t>(carrier.degree) + 1, Integer(0));
+  for (std::size_t m = 0; m < powers.size(); ++m) {
+    if (carrier.coefficients[m].is_zero()) {
+      continue;
+    }
+    for (std::size_t i = 0; i < powers[m].size(); ++i) {
+      sum[i] += carrier.coefficients[m] * powers[m][i];
+    }
+  }
+  return IntegerPolynomial(std::move(sum));
+}
+
+int sign_at(const Carrier& carrier, const ExactPoint& point) {
+  const ExactPoint nowhere{0, 0, 0};
+  const IntegerPolynomial value = RayMonomials({point, nowhere}).restrict(carrier);
+  return value.is_zero() ? 0 : value[0].sign();
+}
+
+ExactPoint gradient_at(const Carrier& carrier, const ExactPoint& point) {
+  const auto slope = [&](const ExactPoint& axis) {
+    const IntegerPolynomial along = RayMonomials({point, axis}).restrict(carrier);
+    return along.degree() < 1 ? Rational(0) : Rational(along[1]);
+  };
+  return {slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
+}
+
+}  // namespace lamina::surface

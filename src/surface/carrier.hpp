@@ -1,0 +1,62 @@
+// Carriers: the exact surfaces of a scene in world coordinates, in canonical form.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/affine.hpp"
+#include "number/algebraic.hpp"
+#include "surface/half_space.hpp"
+
+namespace lamina::surface {
+
+using CarrierIndex = std::uint32_t;
+
+/// The polynomial f of a surface in world coordinates, as a form of its degree (1, 2 or 4)
+/// in (x, y, z, w) with w = 1: coprime integer coefficients in a fixed order of the
+/// monomials, the first non-zero one positive. Two half-spaces have equal carriers if and
+/// only if their boundaries have the same equation up to a factor: exactly coincident
+/// surfaces share one carrier, and so share its roots along every ray.
+struct Carrier {
+  int degree = 1;
+  std::vector<number::Integer> coefficients;
+
+  friend bool operator==(const Carrier&, const Carrier&) = default;
+  friend std::strong_ordering operator<=>(const Carrier& a, const Carrier& b);
+};
+
+/// A carrier and the side of it that is inside: f <= 0 for side 1, -f <= 0 for side -1.
+struct OrientedCarrier {
+  Carrier carrier;
+  int side = 1;
+};
+
+/// Returns the carrier of a local surface whose points p are at map^-1: `to_local` takes
+/// world to local coordinates. Throws base::InputError if f is constant, which no surface
+/// of the scene language is.
+OrientedCarrier carrier_of(const LocalSurface& surface, const geometry::AffineMap& to_local);
+
+/// The monomials of degrees 1, 2 and 4 along one ray, over the integers: computed once for
+/// a ray, used for all its carriers. Reusable.
+class RayMonomials {
+ public:
+  explicit RayMonomials(const geometry::ExactRay& ray);
+
+  /// f(origin + t direction) as a polynomial in t, times a positive constant.
+  [[nodiscard]] number::IntegerPolynomial restrict(const Carrier& carrier);
+
+ private:
+  using Polynomial = std::vector<number::Integer>;
+  const std::vector<Polynomial>& monomials(int degree);
+
+  std::array<Polynomial, 4> coordinates_;  // x, y, z, w as linear polynomials in t
+  std::array<std::vector<Polynomial>, 5> monomials_;
+};
+
+/// Exact sign of the carrier's f at a point: -1, 0 or 1.
+int sign_at(const Carrier& carrier, const geometry::ExactPoint& point);
+
+/// Exact gradient of f at a point.
+geometry::ExactPoint gradient_at(const Carrier& carrier, const geometry::ExactPoint& point);
+
+}  // namespace lamina::surface

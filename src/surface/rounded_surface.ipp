@@ -1,0 +1,139 @@
+#pragma once
+
+#include "poly/quadratic.hpp"
+#include "poly/quartic.hpp"
+#include "surface/rounded_surface.hpp"
+
+namespace lamina::surface {
+
+template <RoundedNumber Number>
+RoundedMap<Number>::RoundedMap(const geometry::AffineMap& exact) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      rows_[i][j] = number::number_traits<Number>::from_exact(exact.rows[i][j]);
+    }
+  }
+}
+
+template <RoundedNumber Number>
+geometry::Vector3<Number> RoundedMap<Number>::direction(
+    const geometry::Vector3<Number>& v) const {
+  const auto row = [&v](const std::array<Number, 4>& r) -> Number {
+    return r[0] * v.x + r[1] * v.y + r[2] * v.z;
+  };
+  return {row(rows_[0]), row(rows_[1]), row(rows_[2])};
+}
+
+template <RoundedNumber Number>
+geometry::Vector3<Number> RoundedMap<Number>::point(const geometry::Vector3<Number>& p) const {
+  const geometry::Vector3<Number> turned = direction(p);
+  return {turned.x + rows_[0][3], turned.y + rows_[1][3], turned.z + rows_[2][3]};
+}
+
+template <RoundedNumber Number>
+geometry::Vector3<Number> RoundedMap<Number>::gradient_to_world(
+    const geometry::Vector3<Number>& g) const {
+  const auto column = [&](std::size_t j) -> Number {
+    return rows_[0][j] * g.x + rows_[1][j] * g.y + rows_[2][j] * g.z;
+  };
+  return {column(0), column(1), column(2)};
+}
+
+template <RoundedNumber Number>
+RoundedSurface<Number>::RoundedSurface(const LocalSurface& exact) : kind_(exact.kind) {
+  for (std::size_t i = 0; i < c_.size(); ++i) {
+    c_[i] = number::number_traits<Number>::from_exact(exact.coefficients[i]);
+  }
+}
+
+template <RoundedNumber Number>
+SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<Number>& local,
+                                                           const poly::Solvers& solvers) const {
+  const auto& o = local.origin;
+  const auto& d = local.direction;
+  std::array<Number, 5> f{};  // f along the ray, ascending powers of t; f[1] is halved for quadrics
+  SurfaceCrossings<Number> result;
+  switch (kind_) {
+    case Kind::Plane:
+      f[0] = c_[0] * o.x + c_[1] * o.y + c_[2] * o.z + c_[3];
+      f[1] = (c_[0] * d.x + c_[1] * d.y + c_[2] * d.z) / 2;
+      break;
+    case Kind::Quadric: {
+      // With g the gradient of the quadratic part: g(v).w is twice the bilinear form.
+      const auto half_gradient = [this](const geometry::Vector3<Number>& v) {
+        return geometry::Vector3<Number>{c_[0] * v.x + (c_[3] * v.y + c_[4] * v.z) / 2,
+                                         c_[1] * v.y + (c_[3] * v.x + c_[5] * v.z) / 2,
+                                         c_[2] * v.z + (c_[4] * v.x + c_[5] * v.y) / 2};
+      };
+      const Number linear_o = c_[6] * o.x + c_[7] * o.y + c_[8] * o.z;
+      const Number linear_d = c_[6] * d.x + c_[7] * d.y + c_[8] * d.z;
+      const geometry::Vector3<Number> along = half_gradient(d);
+      f[2] = dot(along, d);
+      f[1] = dot(along, o) + linear_d / 2;
+      f[0] = dot(half_gradient(o), o) + linear_o + c_[9];
+      break;
+    }
+    case Kind::Torus: {
+      const Number four_major_squared = 4 * c_[0] * c_[0];
+      const Number dd = dot(d, d);
+      const Number od = dot(o, d);
+      const Number k = dot(o, o) + (c_[0] - c_[1]) * (c_[0] + c_[1]);
+      f[4] = dd * dd;
+      f[3] = 4 * dd * od;
+      f[2] = 2 * dd * k + 4 * od * od - four_major_squared * (d.x * d.x + d.y * d.y);
+      f[1] = 4 * od * k - 2 * four_major_squared * (o.x * d.x + o.y * d.y);
+      f[0] = k * k - four_major_squared * (o.x * o.x + o.y * o.y);
+      break;
+    }
+  }
+  if (kind_ == Kind::Torus) {
+    result.roots = poly::quartic_crossings(f, solvers.quartic);
+  } else {
+    result.roots = poly::quadratic_crossings(f[2], f[1], f[0], solvers.quadratic);
+  }
+  std::size_t degree = 4;
+  while (degree > 0 && f[degree] == 0) {
+    --degree;
+  }
+  result.starts_inside = degree % 2 == 0 ? f[degree] < 0 : f[degree] > 0;
+  result.in_carrier = degree == 0 && f[0] == 0;
+  return result;
+}
+
+template <RoundedNumber Number>
+bool RoundedSurface<Number>::inside(const geometry::Vector3<Number>& p) const {
+  switch (kind_) {
+    case Kind::Plane:
+      return c_[0] * p.x + c_[1] * p.y + c_[2] * p.z + c_[3] <= 0;
+    case Kind::Quadric:
+      return p.x * (c_[0] * p.x + c_[3] * p.y + c_[4] * p.z + c_[6]) +
+                 p.y * (c_[1] * p.y + c_[5] * p.z + c_[7]) + p.z * (c_[2] * p.z + c_[8]) + c_[9] <=
+             0;
+    case Kind::Torus: {
+      const Number k = dot(p, p) + (c_[0] - c_[1]) * (c_[0] + c_[1]);
+      return k * k - 4 * c_[0] * c_[0] * (p.x * p.x + p.y * p.y) <= 0;
+    }
+  }
+  return false;
+}
+
+template <RoundedNumber Number>
+geometry::Vector3<Number> RoundedSurface<Number>::gradient(
+    const geometry::Vector3<Number>& p) const {
+  switch (kind_) {
+    case Kind::Plane:
+      return {c_[0], c_[1], c_[2]};
+    case Kind::Quadric:
+      return {2 * c_[0] * p.x + c_[3] * p.y + c_[4] * p.z + c_[6],
+              2 * c_[1] * p.y + c_[3] * p.x + c_[5] * p.z + c_[7],
+              2 * c_[2] * p.z + c_[4] * p.x + c_[5] * p.y + c_[8]};
+    case Kind::Torus: {
+      const Number k = dot(p, p) + (c_[0] - c_[1]) * (c_[0] + c_[1]);
+      const Number across = 4 * (k - 2 * c_[0] * c_[0]);
+      return {across * p.x, across * p.y, 4 * k * p.z};
+    }
+  }
+  return {};
+}
+
+}  // namespace lamina::surface
