@@ -56,7 +56,7 @@ Number far_bound(std::span<const Number> c, const Number& start, int direction, 
   Number step = abs(start) > 1 ? Number(abs(start)) : Number(1);
   Number t = start;
   while (true) {
-    const Number next = start + direction * step;
+    const Number next = direction > 0 ? Number(start + step) : Number(start - step);
     if (next == t || !(abs(next) - abs(next) == 0)) {
       return t;  // the end of the number range
     }
@@ -80,7 +80,7 @@ LineRoots<Number> monotone_crossings(std::span<const Number> c) {
   }
   std::array<Number, 4> slope_storage;
   for (std::size_t i = 1; i <= degree; ++i) {
-    slope_storage[i - 1] = static_cast<int>(i) * c[i];
+    slope_storage[i - 1] = static_cast<Number>(static_cast<int>(i)) * c[i];
   }
   const std::span<const Number> slope(slope_storage.data(), degree);
   const LineRoots<Number> critical = monotone_crossings(slope);

@@ -22,12 +22,12 @@ struct Material {
 
 /// One half-space of the tree.
 struct Leaf {
-  surface::LocalSurface surface;     ///< f in the coordinates of its frame
-  std::uint32_t frame = 0;           ///< index into Scene::frames
-  surface::CarrierIndex carrier = 0; ///< index into Scene::carriers
-  int side = 1;                      ///< inside is side * f <= 0 for the carrier's f
+  surface::LocalSurface surface;      ///< f in the coordinates of its frame
+  std::uint32_t frame = 0;            ///< index into Scene::frames
+  surface::CarrierIndex carrier = 0;  ///< index into Scene::carriers
+  int side = 1;                       ///< inside is side * f <= 0 for the carrier's f
   csg::Medium medium = csg::kEmpty;
-  std::string path;                  ///< for people: `difference.cube[2].+x`
+  std::string path;  ///< for people: `difference.cube[2].+x`
 };
 
 struct Camera {
@@ -49,17 +49,18 @@ struct Bounds {
 };
 
 struct Scene {
-  std::string name;                          ///< file name, or the family's spelling
-  std::vector<geometry::AffineMap> frames;   ///< world to local, exact; shared by the leaves of a solid
-  std::vector<surface::Carrier> carriers;    ///< distinct
+  std::string name;  ///< file name, or the family's spelling
+  std::vector<geometry::AffineMap>
+      frames;  ///< world to local, exact; shared by the leaves of a solid
+  std::vector<surface::Carrier> carriers;  ///< distinct
   std::vector<Leaf> leaves;
   csg::Tree tree;
-  std::vector<Material> materials;           ///< [0] is the empty medium, named ""
+  std::vector<Material> materials;  ///< [0] is the empty medium, named ""
   std::optional<Camera> camera;
   std::vector<Light> lights;
   std::array<double, 3> background{0, 0, 0};
-  std::optional<Bounds> bounds;              ///< none if no solid is bounded
-  std::vector<std::string> warnings;         ///< `file:line:column: warning: ...`
+  std::optional<Bounds> bounds;       ///< none if no solid is bounded
+  std::vector<std::string> warnings;  ///< `file:line:column: warning: ...`
 
   /// Leaves by carrier: leaves_of_carrier[c] ascending.
   std::vector<std::vector<csg::LeafIndex>> leaves_of_carrier;
@@ -72,7 +73,8 @@ struct ReadOptions {
 
 /// Returns the scene that the text states, exact. `name` stands in messages.
 /// Throws base::InputError: `name:line:column: message`, then the line and a caret.
-Scene parse_scene(const std::string& text, const std::string& name, const ReadOptions& options = {});
+Scene parse_scene(const std::string& text, const std::string& name,
+                  const ReadOptions& options = {});
 
 /// Reads a file. Throws base::InputError if it cannot be read.
 Scene read_scene(const std::string& path, const ReadOptions& options = {});

@@ -1,0 +1,165 @@
+// The one loop behind every method: groups of events, in order, through the CSG tree.
+#pragma once
+
+#include <span>
+
+#include "csg/ray_state.hpp"
+#include "method/method.hpp"
+#include "method/ray_events.hpp"
+#include "method/report.hpp"
+
+namespace lamina::method {
+
+/// Receives each event as it is processed; the default does nothing and costs nothing.
+struct IgnoreEvents {
+  void operator()(const EventRecord&) const {}
+};
+
+/// Goes along one ray and fills the report: a method's parts decide what is done at once,
+/// what a leaf's state is, and which events count. Allocates nothing once `report` and
+/// `state` have seen a ray.
+template <number::RealNumber Number, typename OnEvent>
+class Classifier {
+ public:
+  /// `step` is the method's epsilon in units of t.
+  Classifier(const scene::Scene& scene, const RayEvents<Number>& events, csg::RayState& state,
+             Report& report, OnEvent on_event)
+      : scene_(scene), events_(events), crossings_(events.crossings()), state_(state),
+        report_(report), on_event_(on_event) {}
+
+  void run(const Method& method, const Number& step) {
+    report_.clear();
+    if (method.status == Status::Geometric) {
+      run_geometric(method);
+    } else {
+      run_carried(method, step);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool ahead(std::size_t i) const { return events_.positive(crossings_[i].t); }
+
+  [[nodiscard]] static bool enters(const Method& method, const Crossing<Number>& crossing) {
+    return method.sense == Sense::Normal ? crossing.enters_by_normal : crossing.enters_by_parity;
+  }
+
+  // One past the last crossing that is processed together with `first`.
+  [[nodiscard]] std::size_t group_end(const Method& method, std::size_t first,
+                                      const Number& step) const {
+    std::size_t end = first + 1;
+    if (method.grouping == Grouping::Single) {
+      return end;
+    }
+    const auto& t = crossings_[first].t;
+    const bool equal_only = method.grouping == Grouping::EqualT;
+    while (end < crossings_.size() &&
+           (equal_only ? !events_.less(t, crossings_[end].t)
+                       : events_.within(t, crossings_[end].t, step, method.relative_epsilon))) {
+      ++end;
+    }
+    return end;
+  }
+
+  // Updates the event's leaf. Returns whether the medium of the whole changed.
+  bool cross(const Method& method, std::size_t i, std::uint32_t group) {
+    const Crossing<Number>& crossing = crossings_[i];
+    const bool in = enters(method, crossing);
+    const csg::Medium before = state_.medium();
+    const bool consistent = state_.inside(crossing.leaf) != in;
+    const bool accepted = consistent || method.check == Check::None;
+    if (accepted) {
+      if (method.status == Status::Carried) {
+        state_.set(crossing.leaf, in);
+      } else {
+        state_.toggle(crossing.leaf);
+      }
+    }
+    if (!consistent && ahead(i)) {
+      ++report_.inconsistent;
+      report_.rejected += accepted ? 0 : 1;
+    }
+    on_event_({static_cast<std::uint32_t>(i), group, in, accepted, state_.medium()});
+    return state_.medium() != before;
+  }
+
+  // W&T 3.6: is the point of `hit` beyond the surface of the later crossing?
+  [[nodiscard]] bool passed(const Method& method, std::size_t hit, std::size_t later) const {
+    return events_.inside_at(crossings_[later].leaf, crossings_[hit].t) ==
+           enters(method, crossings_[later]);
+  }
+
+  [[nodiscard]] bool stops_ray(csg::Medium medium) const {
+    return medium != csg::kEmpty && scene_.materials[medium].opaque();
+  }
+
+  void run_carried(const Method& method, const Number& step) {
+    state_.reset([this](csg::LeafIndex leaf) { return events_.starts_inside(leaf); });
+    report_.start = state_.medium();
+    std::uint32_t group = 0;
+    for (std::size_t first = 0; first < crossings_.size(); ++group) {
+      std::size_t end = group_end(method, first, step);
+      const csg::Medium from = state_.medium();
+      std::size_t surface = first;
+      for (std::size_t i = first; i < end; ++i) {
+        if (cross(method, i, group) && method.surface == Surface::LastChange) {
+          surface = i;
+        }
+      }
+      if (method.look_ahead == LookAhead::Literal && state_.medium() != from) {
+        while (end < crossings_.size() && !stops_ray(state_.medium()) &&
+               passed(method, surface, end)) {
+          cross(method, end++, group);
+        }
+      }
+      const csg::Medium to = state_.medium();
+      if (!ahead(first)) {
+        report_.start = to;
+      } else if (from != to && events_.finite(crossings_[surface].t)) {
+        report_.interfaces.push_back({static_cast<std::uint32_t>(surface), {from, to}});
+      }
+      first = end;
+    }
+    report_.end = state_.medium();
+  }
+
+  void run_geometric(const Method& method) {
+    const csg::Tree& tree = scene_.tree;
+    const typename RayEvents<Number>::Root origin{Number(0)};
+    report_.start = csg::evaluate(tree, [&](csg::LeafIndex leaf) {
+      return events_.inside_at(leaf, origin) ? tree.medium_of(leaf) : csg::kEmpty;
+    });
+    report_.end = report_.start;
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      const Crossing<Number>& crossing = crossings_[i];
+      if (!ahead(i) || !events_.finite(crossing.t)) {
+        continue;
+      }
+      const bool in = enters(method, crossing);
+      const csg::Transition transition =
+          csg::evaluate(tree, [&](csg::LeafIndex leaf) -> csg::Transition {
+            const csg::Medium medium = tree.medium_of(leaf);
+            if (leaf == crossing.leaf) {
+              return in ? csg::Transition{csg::kEmpty, medium}
+                        : csg::Transition{medium, csg::kEmpty};
+            }
+            return events_.inside_at(leaf, crossing.t) ? csg::Transition{medium, medium}
+                                                       : csg::Transition{};
+          });
+      on_event_({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i), in, true,
+                 transition.to});
+      if (transition.from != transition.to) {
+        report_.interfaces.push_back({static_cast<std::uint32_t>(i), transition});
+        report_.end = transition.to;
+      }
+    }
+  }
+
+  const scene::Scene& scene_;
+  const RayEvents<Number>& events_;
+  std::span<const Crossing<Number>> crossings_;
+  csg::RayState& state_;
+  Report& report_;
+  OnEvent on_event_;
+};
+
+}  // namespace lamina::method

@@ -1,0 +1,102 @@
+#include "method/method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/contract.hpp"
+
+namespace lamina::method {
+
+Method roth() { return {.name = "roth", .surface = Surface::FirstOfGroup}; }
+
+Method wyvill_sharp() {
+  return {.name = "wyvill-sharp",
+          .grouping = Grouping::Single,
+          .status = Status::Geometric,
+          .sense = Sense::Normal};
+}
+
+Method epsilon(const number::Rational& epsilon, bool relative) {
+  return {.name = fmt::format("epsilon:{}{}", number::to_text(epsilon), relative ? ":relative" : ""),
+          .grouping = Grouping::WithinEpsilon,
+          .epsilon = epsilon,
+          .relative_epsilon = relative};
+}
+
+Method regularized() { return {.name = "regularized"}; }
+
+Method wyvill_trotman() {
+  return {.name = "wyvill-trotman",
+          .grouping = Grouping::Single,
+          .status = Status::Carried,
+          .check = Check::Validity,
+          .sense = Sense::Normal,
+          .look_ahead = LookAhead::Literal};
+}
+
+std::vector<MethodHelp> method_help() {
+  return {
+      {"roth", "equal t at once, the surface is the first (Roth 1982)"},
+      {"wyvill-sharp", "one at a time, others by inside test (Wyvill and Sharp 1988)"},
+      {"epsilon:E", "within the length E at once (Amanatides and Mitchell 1990)"},
+      {"epsilon:E:relative", "the same, within E times |t|"},
+      {"regularized", "equal t at once, only volumes count (Tilove 1980)"},
+      {"wyvill-trotman", "one at a time, state carried and checked (Wyvill and Trotman 1990)"},
+      {"wyvill-trotman:parity", "the same, entering and leaving from root parity"},
+      {"wyvill-trotman:no-look-ahead", "the same, without their section 3.6"},
+  };
+}
+
+Method parse_method(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(':', begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  const auto fail = [&text](std::string_view why) {
+    std::string message = fmt::format("method '{}': {}; methods are:", text, why);
+    for (const MethodHelp& help : method_help()) {
+      message += fmt::format("\n  {:<29} {}", help.spelling, help.meaning);
+    }
+    throw base::InputError(message);
+  };
+
+  if (parts[0] == "epsilon") {
+    if (parts.size() < 2 || parts.size() > 3 || (parts.size() == 3 && parts[2] != "relative")) {
+      fail("state the tolerance, as in epsilon:1e-6 or epsilon:1e-9:relative");
+    }
+    const number::Rational value = number::parse_rational(parts[1]);
+    const bool relative = parts.size() == 3;
+    if (value.sign() < 0 || (relative && value >= 1)) {
+      fail(relative ? "a relative tolerance is at least 0 and below 1" : "the tolerance is negative");
+    }
+    return epsilon(value, relative);
+  }
+  Method result;
+  if (parts[0] == "roth") {
+    result = roth();
+  } else if (parts[0] == "wyvill-sharp") {
+    result = wyvill_sharp();
+  } else if (parts[0] == "regularized") {
+    result = regularized();
+  } else if (parts[0] == "wyvill-trotman") {
+    result = wyvill_trotman();
+  } else {
+    fail("unknown");
+  }
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (result.check == Check::Validity && parts[i] == "parity") {
+      result.sense = Sense::Parity;
+    } else if (result.check == Check::Validity && parts[i] == "no-look-ahead") {
+      result.look_ahead = LookAhead::None;
+    } else {
+      fail(fmt::format("unknown variant '{}'", parts[i]));
+    }
+  }
+  result.name = std::string(text);
+  return result;
+}
+
+}  // namespace lamina::method

@@ -1,0 +1,109 @@
+// All crossings of one ray with all leaves of a scene, in order, in one number type.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "poly/line_roots.hpp"
+#include "scene/scene.hpp"
+#include "surface/carrier.hpp"
+#include "surface/rounded_surface.hpp"
+
+namespace lamina::method {
+
+/// One crossing of the ray with one leaf.
+template <number::RealNumber Number>
+struct Crossing {
+  typename number::number_traits<Number>::Root t;
+  csg::LeafIndex leaf = 0;
+  std::uint16_t index = 0;        ///< 0, 1, ... along the ray among the leaf's crossings
+  bool enters_by_parity = false;
+  bool enters_by_normal = false;  ///< the sign of normal . direction at the rounded point
+};
+
+/// Finds and sorts the crossings of rays, one ray after the other; buffers are kept, so that
+/// rays after the first few allocate nothing in hardware numbers.
+template <number::RealNumber Number>
+class RayEvents {
+ public:
+  using Root = typename number::number_traits<Number>::Root;
+
+  RayEvents(const scene::Scene& scene, const poly::Solvers& solvers);
+
+  void find(const geometry::ExactRay& ray);
+  void find(const geometry::Ray<Number>& ray);
+
+  /// By t, ties by leaf index, for all t of the line.
+  [[nodiscard]] std::span<const Crossing<Number>> crossings() const { return crossings_; }
+  /// The leaf's state for t towards -infinity.
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const { return starts_inside_[leaf] != 0; }
+  /// Does the ray lie in a carrier? By convention it is outside of that leaf all along.
+  [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
+  /// Is f <= 0 for the leaf at the crossing's rounded point?
+  [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const;
+
+  static bool less(const Root& a, const Root& b) { return a < b; }
+  static bool positive(const Root& t) { return t > 0; }
+  static bool finite(const Root& t) { return t - t == 0; }
+  /// Is `later` not farther than `step` behind `first`?
+  static bool within(const Root& first, const Root& later, const Number& step, bool relative) {
+    using std::abs;
+    return later - first <= (relative ? Number(step * abs(first)) : step);
+  }
+  /// origin + t direction, each coordinate rounded.
+  [[nodiscard]] geometry::Vector3<Number> point(const Root& t) const;
+  /// The gradient of the leaf's f at a point of the world; outward for a closed solid.
+  [[nodiscard]] geometry::Vector3<Number> gradient(csg::LeafIndex leaf,
+                                                   const geometry::Vector3<Number>& point) const;
+
+ private:
+  struct LeafData {
+    std::uint32_t frame;
+    surface::RoundedSurface<Number> surface;
+  };
+
+  void sort();
+
+  const scene::Scene* scene_;
+  poly::Solvers solvers_;
+  std::vector<surface::RoundedMap<Number>> frames_;
+  std::vector<LeafData> leaves_;
+  geometry::Ray<Number> ray_;
+  std::vector<geometry::Ray<Number>> local_rays_;
+  std::vector<Crossing<Number>> crossings_;
+  std::vector<std::uint8_t> starts_inside_;
+  bool in_some_carrier_ = false;
+};
+
+/// The exact crossings: roots of each carrier's polynomial along the ray, found once for all
+/// its leaves. Nothing is rounded, so a point on a surface is known to be on it.
+template <>
+class RayEvents<number::exact> {
+ public:
+  using Root = number::Root;
+
+  RayEvents(const scene::Scene& scene, const poly::Solvers&) : scene_(&scene) {}
+
+  void find(const geometry::ExactRay& ray);
+
+  [[nodiscard]] std::span<const Crossing<number::exact>> crossings() const { return crossings_; }
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const { return starts_inside_[leaf] != 0; }
+  [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
+  [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const;
+
+  static bool less(const Root& a, const Root& b) { return compare(a, b) < 0; }
+  static bool positive(const Root& t) { return compare(t, number::Rational(0)) > 0; }
+  static bool finite(const Root&) { return true; }
+  static bool within(const Root& first, const Root& later, const number::Rational& step,
+                     bool relative);
+
+ private:
+  const scene::Scene* scene_;
+  std::vector<number::IntegerPolynomial> polynomials_;  // by carrier
+  std::vector<Crossing<number::exact>> crossings_;
+  std::vector<std::uint8_t> starts_inside_;
+  bool in_some_carrier_ = false;
+};
+
+}  // namespace lamina::method

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <algorithm>
+
+#include "method/ray_events.hpp"
+
+namespace lamina::method {
+
+template <number::RealNumber Number>
+RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& solvers)
+    : scene_(&scene), solvers_(solvers) {
+  for (const geometry::AffineMap& frame : scene.frames) {
+    frames_.emplace_back(frame);
+  }
+  for (const scene::Leaf& leaf : scene.leaves) {
+    leaves_.push_back({leaf.frame, surface::RoundedSurface<Number>(leaf.surface)});
+  }
+  local_rays_.resize(frames_.size());
+  starts_inside_.resize(leaves_.size());
+  crossings_.reserve(4 * leaves_.size());
+}
+
+template <number::RealNumber Number>
+void RayEvents<Number>::find(const geometry::ExactRay& ray) {
+  using Traits = number::number_traits<Number>;
+  const auto rounded = [](const geometry::ExactPoint& v) -> geometry::Vector3<Number> {
+    return {Traits::from_exact(v.x), Traits::from_exact(v.y), Traits::from_exact(v.z)};
+  };
+  find(geometry::Ray<Number>{rounded(ray.origin), rounded(ray.direction)});
+}
+
+template <number::RealNumber Number>
+void RayEvents<Number>::find(const geometry::Ray<Number>& ray) {
+  ray_ = ray;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    local_rays_[i] = {frames_[i].point(ray.origin), frames_[i].direction(ray.direction)};
+  }
+  crossings_.clear();
+  in_some_carrier_ = false;
+  for (csg::LeafIndex leaf = 0; leaf < leaves_.size(); ++leaf) {
+    const auto& surface = leaves_[leaf].surface;
+    const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
+    const auto found = surface.crossings(local, solvers_);
+    starts_inside_[leaf] = found.starts_inside ? 1 : 0;
+    in_some_carrier_ = in_some_carrier_ || found.in_carrier;
+    bool inside = found.starts_inside;
+    for (int i = 0; i < found.roots.count; ++i) {
+      const Number& t = found.roots.t[i];
+      inside = !inside;
+      const geometry::Vector3<Number> p = local.origin + t * local.direction;
+      const bool enters_by_normal = dot(surface.gradient(p), local.direction) < 0;
+      crossings_.push_back({t, leaf, static_cast<std::uint16_t>(i), inside, enters_by_normal});
+    }
+  }
+  std::sort(crossings_.begin(), crossings_.end(),
+            [](const Crossing<Number>& a, const Crossing<Number>& b) {
+              return a.t < b.t || (!(b.t < a.t) && a.leaf < b.leaf);
+            });
+}
+
+template <number::RealNumber Number>
+geometry::Vector3<Number> RayEvents<Number>::point(const Root& t) const {
+  return ray_.origin + t * ray_.direction;
+}
+
+template <number::RealNumber Number>
+bool RayEvents<Number>::inside_at(csg::LeafIndex leaf, const Root& t) const {
+  const LeafData& data = leaves_[leaf];
+  return data.surface.inside(frames_[data.frame].point(point(t)));
+}
+
+template <number::RealNumber Number>
+geometry::Vector3<Number> RayEvents<Number>::gradient(
+    csg::LeafIndex leaf, const geometry::Vector3<Number>& point) const {
+  const LeafData& data = leaves_[leaf];
+  const surface::RoundedMap<Number>& frame = frames_[data.frame];
+  return frame.gradient_to_world(data.surface.gradient(frame.point(point)));
+}
+
+}  // namespace lamina::method

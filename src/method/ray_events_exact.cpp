@@ -1,0 +1,72 @@
+#include <algorithm>
+
+#include "method/ray_events.hpp"
+
+namespace lamina::method {
+
+using number::exact;
+using number::Rational;
+using number::Root;
+
+void RayEvents<exact>::find(const geometry::ExactRay& ray) {
+  surface::RayMonomials monomials(ray);
+  crossings_.clear();
+  polynomials_.clear();
+  starts_inside_.assign(scene_->leaves.size(), 0);
+  in_some_carrier_ = false;
+  for (std::size_t c = 0; c < scene_->carriers.size(); ++c) {
+    polynomials_.push_back(monomials.restrict(scene_->carriers[c]));
+    const number::IntegerPolynomial& polynomial = polynomials_.back();
+    if (polynomial.is_zero()) {
+      in_some_carrier_ = true;
+      continue;
+    }
+    std::vector<Root> roots = number::real_roots(polynomial);
+    std::erase_if(roots, [](const Root& root) { return root.multiplicity() % 2 == 0; });
+    for (const csg::LeafIndex leaf : scene_->leaves_of_carrier[c]) {
+      bool inside = scene_->leaves[leaf].side * polynomial.sign_at_minus_infinity() < 0;
+      starts_inside_[leaf] = inside ? 1 : 0;
+      for (std::size_t i = 0; i < roots.size(); ++i) {
+        inside = !inside;
+        crossings_.push_back({roots[i], leaf, static_cast<std::uint16_t>(i), inside, inside});
+      }
+    }
+  }
+  std::sort(crossings_.begin(), crossings_.end(),
+            [](const Crossing<exact>& a, const Crossing<exact>& b) {
+              const auto order = compare(a.t, b.t);
+              return order < 0 || (order == 0 && a.leaf < b.leaf);
+            });
+}
+
+bool RayEvents<exact>::inside_at(csg::LeafIndex leaf, const Root& t) const {
+  const scene::Leaf& l = scene_->leaves[leaf];
+  return l.side * sign_at(polynomials_[l.carrier], t) <= 0;
+}
+
+bool RayEvents<exact>::within(const Root& first, const Root& later, const Rational& step,
+                              bool relative) {
+  if (step.is_zero()) {
+    return compare(later, first) <= 0;
+  }
+  // The enclosures decide unless the gap is within rounding of the step.
+  const Rational lower(first.lower());
+  const Rational upper(first.upper());
+  const bool straddles = lower.sign() < 0 && upper.sign() > 0;
+  const Rational low = straddles ? Rational(0) : std::min(Rational(abs(lower)), Rational(abs(upper)));
+  const Rational high = std::max(Rational(abs(lower)), Rational(abs(upper)));
+  if (Rational(later.upper()) - lower <= (relative ? Rational(step * low) : step)) {
+    return true;
+  }
+  if (Rational(later.lower()) - upper > (relative ? Rational(step * high) : step)) {
+    return false;
+  }
+  if (!relative) {
+    return compare(later, affine_image(first, 1, step)) <= 0;
+  }
+  // first + step |first|; a relative step is below 1, so the factor is positive.
+  const bool negative = compare(first, Rational(0)) < 0;
+  return compare(later, affine_image(first, negative ? Rational(1 - step) : Rational(1 + step), 0)) <= 0;
+}
+
+}  // namespace lamina::method

@@ -1,0 +1,66 @@
+// Traces rays through a scene in one number type, by any method.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "method/method.hpp"
+#include "method/report.hpp"
+#include "number/concepts.hpp"
+#include "number/algebraic.hpp"
+#include "poly/line_roots.hpp"
+#include "scene/scene.hpp"
+
+namespace lamina::method {
+
+/// How far a computed hit is from the exact one.
+struct HitError {
+  double t_ulps = 0;         ///< |t - t*| in units in the last place of t* in this number type
+  double point_rel = 0;      ///< largest coordinate error over the largest coordinate
+  double normal_rad = 0;     ///< angle between the normals
+};
+
+/// One scene in one number type. Not for two threads at once: each thread has its own.
+class Tracer {
+ public:
+  virtual ~Tracer() = default;
+
+  /// Finds the crossings of a ray; run and explain then use them.
+  virtual void find(const geometry::ExactRay& ray) = 0;
+  /// What the method sees of the ray last found.
+  virtual void run(const Method& method, Report& report) = 0;
+  /// The same, with every event as it is processed.
+  virtual std::vector<EventRecord> explain(const Method& method, Report& report) = 0;
+
+  /// The crossings in the order of this number type: by t, ties by leaf index.
+  [[nodiscard]] virtual std::span<const CrossingId> crossings() const = 0;
+  [[nodiscard]] virtual bool starts_inside(csg::LeafIndex leaf) const = 0;
+  [[nodiscard]] virtual bool in_some_carrier() const = 0;
+  /// The double nearest to the crossing's t.
+  [[nodiscard]] virtual double t(std::size_t crossing) const = 0;
+  /// Are two crossings at the same t in this number type?
+  [[nodiscard]] virtual bool equal_t(std::size_t a, std::size_t b) const = 0;
+  /// The error of a crossing whose exact t is known; zero for exact numbers.
+  [[nodiscard]] virtual HitError error(std::size_t crossing, const number::Root& truth) const = 0;
+};
+
+/// A number type without its type: what tables and the program choose from.
+struct NumberChoice {
+  std::string name;
+  int significand_bits = 0;  ///< 0 for exact types
+  std::function<std::unique_ptr<Tracer>(const scene::Scene&, const poly::Solvers&)> make_tracer;
+};
+
+template <number::RealNumber Number>
+std::unique_ptr<Tracer> make_tracer(const scene::Scene& scene, const poly::Solvers& solvers);
+
+template <number::RealNumber Number>
+NumberChoice number_choice() {
+  using Traits = number::number_traits<Number>;
+  return {Traits::name(), Traits::kSignificandBits, make_tracer<Number>};
+}
+
+}  // namespace lamina::method

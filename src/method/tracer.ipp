@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cmath>
+
+#include "method/classify.hpp"
+#include "method/ray_events.ipp"
+#include "method/tracer.hpp"
+
+namespace lamina::method {
+namespace detail {
+
+template <number::RealNumber Number>
+class TracerOf final : public Tracer {
+ public:
+  TracerOf(const scene::Scene& scene, const poly::Solvers& solvers)
+      : scene_(scene), events_(scene, solvers), state_(scene.tree) {}
+
+  void find(const geometry::ExactRay& ray) override {
+    ray_ = ray;
+    events_.find(ray);
+    crossings_.clear();
+    for (const Crossing<Number>& c : events_.crossings()) {
+      crossings_.push_back({c.leaf, c.index, events_.positive(c.t), c.enters_by_parity});
+    }
+  }
+
+  void run(const Method& method, Report& report) override {
+    Classifier(scene_, events_, state_, report, IgnoreEvents{}).run(method, step(method));
+  }
+
+  std::vector<EventRecord> explain(const Method& method, Report& report) override {
+    std::vector<EventRecord> records;
+    const auto keep = [&records](const EventRecord& record) { records.push_back(record); };
+    Classifier(scene_, events_, state_, report, keep).run(method, step(method));
+    return records;
+  }
+
+  [[nodiscard]] std::span<const CrossingId> crossings() const override { return crossings_; }
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const override {
+    return events_.starts_inside(leaf);
+  }
+  [[nodiscard]] bool in_some_carrier() const override { return events_.in_some_carrier(); }
+
+  [[nodiscard]] double t(std::size_t crossing) const override {
+    const auto& root = events_.crossings()[crossing].t;
+    if constexpr (number::ExactNumber<Number>) {
+      return nearest_double(root);
+    } else if (!events_.finite(root)) {
+      return static_cast<double>(root);
+    } else {
+      return number::nearest_double(number::number_traits<Number>::to_exact(root));
+    }
+  }
+
+  [[nodiscard]] bool equal_t(std::size_t a, std::size_t b) const override {
+    const auto& ta = events_.crossings()[a].t;
+    const auto& tb = events_.crossings()[b].t;
+    return !events_.less(ta, tb) && !events_.less(tb, ta);
+  }
+
+  [[nodiscard]] HitError error(std::size_t crossing, const number::Root& truth) const override;
+
+ private:
+  // An epsilon that is a length becomes one of t: divided by the direction's length in
+  // double, once for all number types, so that they all use the same.
+  [[nodiscard]] Number step(const Method& method) const {
+    if (method.grouping != Grouping::WithinEpsilon) {
+      return Number(0);
+    }
+    number::Rational step = method.epsilon;
+    if (!method.relative_epsilon) {
+      const double squared = number::nearest_double(dot(ray_.direction, ray_.direction));
+      step = number::Rational(number::nearest_double(step) / std::sqrt(squared));
+    }
+    return number::number_traits<Number>::from_exact(step);
+  }
+
+  const scene::Scene& scene_;
+  geometry::ExactRay ray_;
+  RayEvents<Number> events_;
+  csg::RayState state_;
+  std::vector<CrossingId> crossings_;
+};
+
+/// The errors of a computed hit: the exact one is enclosed so narrowly that its own width
+/// does not show in the first digits.
+HitError hit_error(const scene::Scene& scene, const geometry::ExactRay& ray, csg::LeafIndex leaf,
+                   const number::Root& truth, const number::Rational& t,
+                   const geometry::ExactPoint& point, const geometry::ExactPoint& gradient,
+                   int significand_bits);
+
+template <number::RealNumber Number>
+HitError TracerOf<Number>::error(std::size_t crossing, const number::Root& truth) const {
+  if constexpr (number::ExactNumber<Number>) {
+    return {};
+  } else {
+    const Crossing<Number>& c = events_.crossings()[crossing];
+    const geometry::Vector3<Number> point = events_.point(c.t);
+    const geometry::Vector3<Number> gradient = events_.gradient(c.leaf, point);
+    const auto exactly = [](const geometry::Vector3<Number>& v) -> geometry::ExactPoint {
+      using Traits = number::number_traits<Number>;
+      return {Traits::to_exact(v.x), Traits::to_exact(v.y), Traits::to_exact(v.z)};
+    };
+    return hit_error(scene_, ray_, c.leaf, truth, number::number_traits<Number>::to_exact(c.t),
+                     exactly(point), exactly(gradient),
+                     number::number_traits<Number>::kSignificandBits);
+  }
+}
+
+}  // namespace detail
+
+template <number::RealNumber Number>
+std::unique_ptr<Tracer> make_tracer(const scene::Scene& scene, const poly::Solvers& solvers) {
+  return std::make_unique<detail::TracerOf<Number>>(scene, solvers);
+}
+
+}  // namespace lamina::method

@@ -1,0 +1,411 @@
+#include "scene/builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "scene/arguments.hpp"
+#include "scene/primitives.hpp"
+#include "scene/transforms.hpp"
+
+namespace lamina::scene {
+
+using csg::Expression;
+using csg::Medium;
+using csg::Operator;
+using geometry::AffineMap;
+using geometry::ExactPoint;
+using number::Rational;
+
+namespace {
+
+const Signature kNoArguments{"it without arguments"};
+const Signature kRender{"render(convexity = number)", {"convexity"}};
+const Signature kColor{R"(color(c = [r, g, b, a]) or color("name", alpha = number))",
+                       {"c", "alpha"}};
+const Signature kMaterial{R"(material("name", color = [r, g, b, a]))", {"name", "color"}, 1};
+const Signature kCamera{
+    "camera(eye = [x, y, z], look_at = [x, y, z], up = [x, y, z], fov = degrees)",
+    {"eye", "look_at", "up", "fov"},
+    2};
+const Signature kLight{"light(position = [x, y, z], color = [r, g, b])", {"position", "color"}, 1};
+const Signature kBackground{"background(color = [r, g, b])", {"color"}, 1};
+
+// Nodes of OpenSCAD, and of work to come, that are known but not read.
+constexpr std::array<std::string_view, 22> kUnsupported{"circle",
+                                                        "conic_sweep",
+                                                        "contour",
+                                                        "hull",
+                                                        "import",
+                                                        "intersection_for",
+                                                        "linear_extrude",
+                                                        "minkowski",
+                                                        "offset",
+                                                        "polygon",
+                                                        "polyhedron",
+                                                        "projection",
+                                                        "resize",
+                                                        "rotate_extrude",
+                                                        "rotational_sweep",
+                                                        "roof",
+                                                        "spline_sweep",
+                                                        "square",
+                                                        "surface",
+                                                        "text",
+                                                        "translational_sweep",
+                                                        "fill"};
+
+struct Operation {
+  std::string_view name;
+  Operator op;
+  const Signature& signature;
+};
+
+const std::array kOperations{Operation{"add", Operator::Add, kNoArguments},
+                             Operation{"union", Operator::Add, kNoArguments},
+                             Operation{"group", Operator::Add, kNoArguments},
+                             Operation{"root", Operator::Add, kNoArguments},
+                             Operation{"render", Operator::Add, kRender},
+                             Operation{"difference", Operator::Difference, kNoArguments},
+                             Operation{"intersection", Operator::Intersection, kNoArguments}};
+
+bool contains(const auto& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool left_out(const Node& node) { return node.has_modifier('%') || node.has_modifier('*'); }
+
+// A node that states something about the scene, and is no object in it.
+bool is_declaration(const Node& node) {
+  return node.name == "camera" || node.name == "light" || node.name == "background" ||
+         (node.name == "material" && node.ended_by_semicolon);
+}
+
+std::array<double, 3> rgb(const Color& color) {
+  return {number::nearest_double(color[0]), number::nearest_double(color[1]),
+          number::nearest_double(color[2])};
+}
+
+void extend(std::optional<Bounds>& bounds, const ExactPoint& point) {
+  if (!bounds) {
+    bounds = Bounds{point, point};
+    return;
+  }
+  Bounds& b = *bounds;
+  b.lower = {std::min(b.lower.x, point.x), std::min(b.lower.y, point.y),
+             std::min(b.lower.z, point.z)};
+  b.upper = {std::max(b.upper.x, point.x), std::max(b.upper.y, point.y),
+             std::max(b.upper.z, point.z)};
+}
+
+// What is in force at a node.
+struct Context {
+  AffineMap to_world;
+  Medium medium = csg::kEmpty;  // empty: none is stated, so `default`
+  FacetSettings facets;
+  std::string path;      // of what encloses the node
+  std::string position;  // `[k]` if the node is the k-th of several children
+
+  [[nodiscard]] std::string path_to(std::string_view name) const {
+    return fmt::format("{}{}{}{}", path, path.empty() ? "" : ".", name, position);
+  }
+};
+
+class Builder {
+ public:
+  Builder(const Source& source, const ReadOptions& options) : source_(source), options_(options) {
+    scene_.materials.push_back({"", {0, 0, 0, 0}});
+    declared_.push_back(false);
+  }
+
+  Scene build(const Node& root) {
+    Context context;
+    context.facets = Arguments(source_, root, kNoArguments).facets(context.facets);
+    std::vector<const Node*> objects;
+    for (const Node& node : root.children) {
+      if (left_out(node)) {
+        continue;
+      }
+      if (is_declaration(node)) {
+        declare(node);
+      } else {
+        objects.push_back(&node);
+      }
+    }
+    if (const Node* only = find_root_modifier(root)) {
+      objects = {only};
+    }
+    finish(combine(Operator::Add, "", objects, context));
+    return std::move(scene_);
+  }
+
+ private:
+  // The first node with `!` in the order of the text.
+  const Node* find_root_modifier(const Node& node) {
+    const Node* found = nullptr;
+    for (const Node& child : node.children) {
+      if (left_out(child)) {
+        continue;
+      }
+      const Node* here = child.has_modifier('!') ? &child : find_root_modifier(child);
+      if (found == nullptr) {
+        found = here;
+      } else if (here != nullptr) {
+        warn(*here, "only the first `!` counts");
+      }
+    }
+    return found;
+  }
+
+  void warn(const Node& node, std::string_view message) {
+    scene_.warnings.push_back(
+        source_.warning(node.offset, fmt::format("`{}`: {}", node.name, message)));
+  }
+
+  void declare(const Node& node) {
+    if (!node.children.empty()) {
+      fail(node, "it takes no children: end it with `;`");
+    }
+    if (node.name == "material") {
+      material(Arguments(source_, node, kMaterial));
+    } else if (node.name == "camera") {
+      camera(Arguments(source_, node, kCamera));
+    } else if (node.name == "light") {
+      const Arguments arguments(source_, node, kLight);
+      const Color color = arguments.color("color").value_or(Color{1, 1, 1, 1});
+      scene_.lights.push_back({*arguments.vector("position"), rgb(color)});
+    } else {
+      const Arguments arguments(source_, node, kBackground);
+      scene_.background = rgb(arguments.color("color").value_or(Color{}));
+    }
+  }
+
+  void camera(const Arguments& arguments) {
+    if (scene_.camera) {
+      arguments.fail("there is a camera already: keep one");
+    }
+    Camera camera;
+    camera.eye = *arguments.vector("eye");
+    camera.look_at = *arguments.vector("look_at");
+    camera.up = arguments.vector("up").value_or(camera.up);
+    camera.fov_degrees = arguments.number("fov").value_or(camera.fov_degrees);
+    if (cross(camera.look_at - camera.eye, camera.up) == ExactPoint{}) {
+      arguments.fail("the direction of view and `up` must span a plane");
+    }
+    if (camera.fov_degrees <= 0 || camera.fov_degrees >= 180) {
+      arguments.fail_at("fov", "`fov` must be between 0 and 180");
+    }
+    scene_.camera = camera;
+  }
+
+  // The medium of a material node, declared if it has a colour.
+  Medium material(const Arguments& arguments) {
+    const std::string name = *arguments.text("name");
+    if (name.empty()) {
+      arguments.fail_at("name", "the name must not be empty");
+    }
+    const std::optional<Color> color = arguments.color("color");
+    const Medium medium = medium_named(name, arguments);
+    if (color) {
+      declare_color(medium, *color, arguments);
+    }
+    return medium;
+  }
+
+  void declare_color(Medium medium, const Color& color, const Arguments& arguments) {
+    const auto [red, green, blue] = rgb(color);
+    const std::array<double, 4> rounded{red, green, blue, number::nearest_double(color[3])};
+    Material& material = scene_.materials[medium];
+    if (declared_[medium] && material.color != rounded) {
+      arguments.fail(fmt::format("`{}` has another colour already", material.name));
+    }
+    material.color = rounded;
+    declared_[medium] = true;
+  }
+
+  Medium medium_named(const std::string& name, const Arguments& user) {
+    const auto [entry, added] = medium_of_name_.try_emplace(name, scene_.materials.size());
+    if (added) {
+      if (entry->second > std::numeric_limits<Medium>::max()) {
+        user.fail("there are too many materials");
+      }
+      scene_.materials.push_back({name});
+      declared_.push_back(false);
+    }
+    return static_cast<Medium>(entry->second);
+  }
+
+  Expression build(const Node& node, Context context) {
+    if (const Primitive* found = find_primitive(node.name)) {
+      return primitive(node, *found, context);
+    }
+    if (const Transform* found = find_transform(node.name)) {
+      const Arguments arguments(source_, node, found->signature);
+      context.facets = arguments.facets(context.facets);
+      context.to_world = compose(context.to_world, found->read(arguments));
+      return combine(Operator::Add, "add", children(node), context);
+    }
+    for (const Operation& operation : kOperations) {
+      if (operation.name == node.name) {
+        context.facets = Arguments(source_, node, operation.signature).facets(context.facets);
+        const bool add = operation.op == Operator::Add;
+        return combine(operation.op, add ? "add" : operation.name, children(node), context);
+      }
+    }
+    if (node.name == "color") {
+      return color(node, context);
+    }
+    if (is_declaration(node)) {
+      fail(node, "it stands at top level, outside of other nodes");
+    }
+    if (node.name == "material") {
+      const Arguments arguments(source_, node, kMaterial);
+      context.facets = arguments.facets(context.facets);
+      context.medium = material(arguments);
+      return combine(Operator::Add, "add", children(node), context);
+    }
+    if (contains(kUnsupported, node.name)) {
+      fail(node, "this node is not supported yet: leave it out, or put `*` before it");
+    }
+    fail(node,
+         "there is no such node; a program is flattened by "
+         "`openscad -o model.csg model.scad`");
+  }
+
+  Expression color(const Node& node, Context context) {
+    const Arguments arguments(source_, node, kColor);
+    context.facets = arguments.facets(context.facets);
+    if (std::optional<Color> color = arguments.color("c")) {
+      (*color)[3] = arguments.number("alpha").value_or((*color)[3]);
+      if ((*color)[3] < 0 || (*color)[3] > 1) {
+        arguments.fail_at("alpha", "`alpha` must be from 0 to 1");
+      }
+      context.medium = medium_named(canonical_text(*color), arguments);
+      declare_color(context.medium, *color, arguments);
+    }
+    return combine(Operator::Add, "add", children(node), context);
+  }
+
+  Expression primitive(const Node& node, const Primitive& primitive, const Context& context) {
+    if (!node.children.empty()) {
+      fail(node, "it takes no children: end it with `;`");
+    }
+    const Arguments arguments(source_, node, primitive.signature);
+    const FacetSettings facets = arguments.facets(context.facets);
+    const Solid solid = primitive.read(arguments, options_.facets ? &facets : nullptr);
+    if (solid.parts.empty()) {
+      warn(node, "its size is zero, so it is empty");
+      return Expression::empty();
+    }
+    const Medium medium =
+        context.medium != csg::kEmpty ? context.medium : medium_named("default", arguments);
+    const std::string path = context.path_to(primitive.name);
+    std::vector<Expression> leaves;
+    for (const Solid::Part& part : solid.parts) {
+      leaves.push_back(Expression::of_leaf(static_cast<csg::LeafIndex>(drafts_.size())));
+      Leaf leaf;
+      leaf.surface = part.surface;
+      leaf.frame = static_cast<std::uint32_t>(solid_to_local_.size());
+      leaf.medium = medium;
+      leaf.path = part.name.empty() ? path : path + "." + part.name;
+      drafts_.push_back(std::move(leaf));
+    }
+    solid_to_local_.push_back(inverse(context.to_world).value());
+    if (solid.box) {
+      extend_bounds(*solid.box, context.to_world);
+    }
+    return Expression::of(solid.op, std::move(leaves));
+  }
+
+  void extend_bounds(const Bounds& box, const AffineMap& to_world) {
+    for (const Rational& x : {box.lower.x, box.upper.x}) {
+      for (const Rational& y : {box.lower.y, box.upper.y}) {
+        for (const Rational& z : {box.lower.z, box.upper.z}) {
+          extend(scene_.bounds, apply(to_world, {x, y, z}));
+        }
+      }
+    }
+  }
+
+  static std::vector<const Node*> children(const Node& node) {
+    std::vector<const Node*> result;
+    for (const Node& child : node.children) {
+      if (!left_out(child)) {
+        result.push_back(&child);
+      }
+    }
+    return result;
+  }
+
+  // The operator on the children. An `add` of one child is that child, and has no place in
+  // its path; nor has the top level, which has no name.
+  Expression combine(Operator op, std::string_view name, const std::vector<const Node*>& children,
+                     Context context) {
+    const bool skipped = op == Operator::Add && children.size() == 1;
+    if (!skipped && !name.empty()) {
+      context.path = context.path_to(name);
+      context.position.clear();
+    }
+    std::vector<Expression> operands;
+    for (std::size_t k = 0; k < children.size(); ++k) {
+      if (children.size() > 1) {
+        context.position = fmt::format("[{}]", k + 1);
+      }
+      operands.push_back(build(*children[k], context));
+    }
+    return Expression::of(op, std::move(operands));
+  }
+
+  // Numbers the leaves that are left from left to right, and finds equal frames and carriers.
+  void finish(Expression expression) {
+    std::map<decltype(AffineMap::rows), std::uint32_t> frame_of_rows;
+    std::map<surface::Carrier, surface::CarrierIndex> index_of_carrier;
+    std::vector<Medium> media;
+    for (const csg::LeafIndex draft : renumber_leaves(expression)) {
+      const auto index = static_cast<csg::LeafIndex>(scene_.leaves.size());
+      Leaf& leaf = scene_.leaves.emplace_back(std::move(drafts_[draft]));
+      const AffineMap& to_local = solid_to_local_[leaf.frame];
+      auto [carrier, side] = surface::carrier_of(leaf.surface, to_local);
+      leaf.side = side;
+      const auto [known_frame, new_frame] = frame_of_rows.try_emplace(
+          to_local.rows, static_cast<std::uint32_t>(scene_.frames.size()));
+      leaf.frame = known_frame->second;
+      if (new_frame) {
+        scene_.frames.push_back(to_local);
+      }
+      const auto [known_carrier, new_carrier] = index_of_carrier.try_emplace(
+          std::move(carrier), static_cast<surface::CarrierIndex>(scene_.carriers.size()));
+      leaf.carrier = known_carrier->second;
+      if (new_carrier) {
+        scene_.carriers.push_back(known_carrier->first);
+        scene_.leaves_of_carrier.emplace_back();
+      }
+      scene_.leaves_of_carrier[leaf.carrier].push_back(index);
+      media.push_back(leaf.medium);
+    }
+    scene_.tree = csg::Tree(expression, std::move(media));
+  }
+
+  [[noreturn]] void fail(const Node& node, std::string_view reason) const {
+    source_.fail(node.offset, fmt::format("`{}`: {}", node.name, reason));
+  }
+
+  const Source& source_;
+  const ReadOptions& options_;
+  Scene scene_;
+  std::map<std::string, std::size_t> medium_of_name_;
+  std::vector<bool> declared_;  // by medium: whether its colour is stated
+  std::vector<Leaf> drafts_;    // leaves; `frame` is an index into solid_to_local_
+  std::vector<AffineMap> solid_to_local_;
+};
+
+}  // namespace
+
+Scene build_scene(const Source& source, const Node& root, const ReadOptions& options) {
+  return Builder(source, options).build(root);
+}
+
+}  // namespace lamina::scene

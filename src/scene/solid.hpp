@@ -1,0 +1,25 @@
+// A primitive solid in its own coordinates: half-spaces under one operator.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csg/medium.hpp"
+#include "scene/scene.hpp"
+#include "surface/half_space.hpp"
+
+namespace lamina::scene {
+
+struct Solid {
+  struct Part {
+    std::string name;  ///< `+x`, `side`; empty where there is only one part
+    surface::LocalSurface surface;
+  };
+
+  csg::Operator op = csg::Operator::Intersection;
+  std::vector<Part> parts{};    ///< none: the solid is empty
+  std::optional<Bounds> box{};  ///< none: the solid is unbounded, or empty
+};
+
+}  // namespace lamina::scene
