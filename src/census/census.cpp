@@ -43,7 +43,7 @@ class EpsilonHoles {
     tracer_->find(ray);
     tracer_->run(method, report_);
     judge_.match();
-    judge_.judge(report_, 0);
+    static_cast<void>(judge_.judge(report_, 0));
     std::uint32_t holes = 0;
     for (std::size_t c = 0; c < reported.size(); ++c) {
       holes += truth_.classes()[c].is_interface() && !reported[c] && !judge_.reported_classes()[c]

@@ -67,7 +67,7 @@ struct Task {
   std::vector<geometry::ExactRay> rays;
 };
 
-/// Called between batches of tasks: done and total rays; returns false to stop.
+/// Called between batches of tasks: tasks done and in all; returns false to stop.
 using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 /// Runs tasks 0 .. task_count-1 and adds up. The result does not depend on the threads:
