@@ -118,15 +118,6 @@ Census run_task(const Plan& plan, const Task& task) {
   return census;
 }
 
-void merge(Census& sum, const Census& later) {
-  sum.rays += later.rays;
-  sum.in_carrier += later.in_carrier;
-  sum.with_coincidence += later.with_coincidence;
-  for (std::size_t c = 0; c < sum.cells.size(); ++c) {
-    sum.cells[c].merge(later.cells[c]);
-  }
-}
-
 }  // namespace
 
 void Cell::add(const Verdict& verdict) {
@@ -168,6 +159,15 @@ void Cell::merge(const Cell& later) {
   }
 }
 
+void Census::merge(const Census& later) {
+  rays += later.rays;
+  in_carrier += later.in_carrier;
+  with_coincidence += later.with_coincidence;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    cells[c].merge(later.cells[c]);
+  }
+}
+
 Census run_census(const Plan& plan, std::size_t task_count,
                   const std::function<Task(std::size_t)>& task, const Progress& progress) {
   std::optional<tbb::global_control> limit;
@@ -183,7 +183,7 @@ Census run_census(const Plan& plan, std::size_t task_count,
     tbb::parallel_for(first, last,
                       [&](std::size_t i) { parts[i - first] = run_task(plan, task(i)); });
     for (const Census& part : parts) {
-      merge(census, part);
+      census.merge(part);
     }
     if (!progress(last, task_count) && last < task_count) {
       census.interrupted = true;

@@ -59,6 +59,9 @@ struct Census {
   std::uint64_t in_carrier = 0;       ///< of them in a carrier: counted apart, not judged
   std::uint64_t with_coincidence = 0; ///< judged, with an exact class of two leaves or more ahead
   bool interrupted = false;           ///< stopped early; the counts are of whole tasks
+
+  /// Adds the counts of later rays, by the same methods in the same number types.
+  void merge(const Census& later);
 };
 
 /// One unit of work: a scene and rays through it. A task depends on nothing but its number.

@@ -40,6 +40,10 @@ class Truth {
   [[nodiscard]] csg::Medium start() const { return start_; }
   [[nodiscard]] csg::Medium end() const { return end_; }
   [[nodiscard]] const std::vector<TruthClass>& classes() const { return classes_; }
+  /// The leaf's state for t towards -infinity.
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const {
+    return events_.starts_inside(leaf);
+  }
   /// The leaf's crossings in order along the ray, t <= 0 included.
   [[nodiscard]] const std::vector<TruthCrossing>& crossings_of(csg::LeafIndex leaf) const {
     return by_leaf_[leaf];

@@ -7,8 +7,6 @@
 namespace lamina::census {
 namespace {
 
-constexpr std::uint32_t kNone = UINT32_MAX;
-
 double middle(const number::Root& root) { return root.lower() + (root.upper() - root.lower()) / 2; }
 
 }  // namespace
@@ -56,7 +54,7 @@ Judge::Judge(const Truth& truth, const method::Tracer& tracer, std::size_t leaf_
 void Judge::match() {
   const auto crossings = tracer_.crossings();
   class_of_.assign(crossings.size(), kUnmatched);
-  tracer_crossing_.assign(truth_.crossings().size(), kNone);
+  tracer_crossing_.assign(truth_.crossings().size(), kNoCrossing);
   wrong_counts_ = wrong_parities_ = 0;
   measured_.reset();
   for (auto& indices : by_leaf_) {
@@ -136,26 +134,33 @@ Verdict Judge::judge(const method::Report& report, double direction_length) {
   Verdict verdict;
   const std::vector<TruthClass>& classes = truth_.classes();
   reported_.assign(classes.size(), false);
+  findings_.clear();
+  const auto note = [&](Artifact artifact, std::size_t cls, std::uint32_t crossing) {
+    ++verdict[artifact];
+    findings_.push_back({artifact, cls, crossing});
+  };
 
+  std::size_t next = 0;  // the class behind the last one that was reported
   for (const method::Interface& seen : report.interfaces) {
     const csg::LeafIndex leaf = tracer_.crossings()[seen.crossing].leaf;
     const int cls = class_of_[seen.crossing];
+    next = cls == kUnmatched ? next : static_cast<std::size_t>(cls + 1);
     if (cls < 0) {
-      ++verdict[Artifact::GhostHit];
+      note(Artifact::GhostHit, next, seen.crossing);
       continue;
     }
     reported_[cls] = true;
     const TruthClass& truth = classes[cls];
     if (!truth.is_interface()) {
-      ++verdict[Artifact::GhostHit];
+      note(Artifact::GhostHit, cls, seen.crossing);
       continue;
     }
     const auto& owners = truth.effect.owners;
     if (std::find(owners.begin(), owners.end(), leaf) == owners.end()) {
-      ++verdict[Artifact::GhostSurface];
+      note(Artifact::GhostSurface, cls, seen.crossing);
     }
     if (seen.transition != truth.effect.transition) {
-      ++verdict[Artifact::WrongInterface];
+      note(Artifact::WrongInterface, cls, seen.crossing);
     }
   }
 
@@ -185,12 +190,13 @@ Verdict Judge::judge(const method::Report& report, double direction_length) {
         continue;
       }
       const std::uint32_t found = tracer_crossing_[truth.first_crossing + i];
-      all_found = all_found && found != kNone;
-      some_ahead = some_ahead || (found != kNone && tracer_.crossings()[found].ahead);
+      all_found = all_found && found != kNoCrossing;
+      some_ahead = some_ahead || (found != kNoCrossing && tracer_.crossings()[found].ahead);
     }
-    ++verdict[!all_found    ? Artifact::MissedSolver
-              : some_ahead ? Artifact::MissedLogic
-                           : Artifact::MissedRange];
+    note(!all_found   ? Artifact::MissedSolver
+         : some_ahead ? Artifact::MissedLogic
+                      : Artifact::MissedRange,
+         c, kNoCrossing);
   }
 
   const bool any_seen = !report.interfaces.empty();

@@ -58,6 +58,16 @@ struct Verdict {
   [[nodiscard]] bool right() const;
 };
 
+inline constexpr std::uint32_t kNoCrossing = UINT32_MAX;
+
+/// Where an interface is wrong.
+struct Finding {
+  Artifact artifact = Artifact::GhostHit;  ///< a miss, a ghost, or a wrong interface
+  /// Index into Truth::classes(): it is there or, where it matches none, next before it.
+  std::size_t cls = 0;
+  std::uint32_t crossing = kNoCrossing;  ///< the tracer's that was reported; none for a miss
+};
+
 /// Judges the rays of one scene in one number type. Not for two threads at once.
 class Judge {
  public:
@@ -71,6 +81,13 @@ class Judge {
 
   /// `direction_length` turns intervals of t into lengths.
   [[nodiscard]] Verdict judge(const method::Report& report, double direction_length);
+
+  /// By the truth's crossing, the tracer's that match() paired with it, or kNoCrossing.
+  [[nodiscard]] const std::vector<std::uint32_t>& matches() const { return tracer_crossing_; }
+
+  /// The wrong interfaces of the last judged report: those reported in its order, then those
+  /// missed in the truth's.
+  [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
 
   /// Which classes the last judged report has an interface for.
   [[nodiscard]] const std::vector<bool>& reported_classes() const { return reported_; }
@@ -86,7 +103,8 @@ class Judge {
   const method::Tracer& tracer_;
   std::vector<std::vector<std::uint32_t>> by_leaf_;  // indices of the tracer's crossings
   std::vector<int> class_of_;        // by the tracer's crossing; -1 behind the start
-  std::vector<std::uint32_t> tracer_crossing_;  // by the truth's crossing; UINT32_MAX if none
+  std::vector<std::uint32_t> tracer_crossing_;  // by the truth's crossing
+  std::vector<Finding> findings_;
   std::vector<bool> reported_;
   // The error of the crossing last measured on this ray: methods mostly share their first hit.
   std::optional<std::pair<std::uint32_t, method::HitError>> measured_;

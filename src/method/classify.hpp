@@ -78,7 +78,8 @@ class Classifier {
       ++report_.inconsistent;
       report_.rejected += accepted ? 0 : 1;
     }
-    on_event_({static_cast<std::uint32_t>(i), group, in, accepted, state_.medium()});
+    on_event_({static_cast<std::uint32_t>(i), group, in, accepted, state_.inside(crossing.leaf),
+               state_.medium()});
     return state_.medium() != before;
   }
 
@@ -145,7 +146,7 @@ class Classifier {
             return events_.inside_at(leaf, crossing.t) ? csg::Transition{medium, medium}
                                                        : csg::Transition{};
           });
-      on_event_({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i), in, true,
+      on_event_({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i), in, true, in,
                  transition.to});
       if (transition.from != transition.to) {
         report_.interfaces.push_back({static_cast<std::uint32_t>(i), transition});

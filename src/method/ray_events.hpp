@@ -12,6 +12,13 @@
 
 namespace lamina::method {
 
+/// Each coordinate rounded once.
+template <number::RoundedNumber Number>
+geometry::Vector3<Number> rounded(const geometry::ExactPoint& point) {
+  using Traits = number::number_traits<Number>;
+  return {Traits::from_exact(point.x), Traits::from_exact(point.y), Traits::from_exact(point.z)};
+}
+
 /// One crossing of the ray with one leaf.
 template <number::RealNumber Number>
 struct Crossing {
@@ -41,7 +48,11 @@ class RayEvents {
   /// Does the ray lie in a carrier? By convention it is outside of that leaf all along.
   [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
   /// Is f <= 0 for the leaf at the crossing's rounded point?
-  [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const;
+  [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const {
+    return inside(leaf, point(t));
+  }
+  /// Is f <= 0 for the leaf at a point of the world?
+  [[nodiscard]] bool inside(csg::LeafIndex leaf, const geometry::Vector3<Number>& world) const;
 
   static bool less(const Root& a, const Root& b) { return a < b; }
   static bool positive(const Root& t) { return t > 0; }

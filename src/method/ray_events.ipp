@@ -22,11 +22,7 @@ RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& sol
 
 template <number::RealNumber Number>
 void RayEvents<Number>::find(const geometry::ExactRay& ray) {
-  using Traits = number::number_traits<Number>;
-  const auto rounded = [](const geometry::ExactPoint& v) -> geometry::Vector3<Number> {
-    return {Traits::from_exact(v.x), Traits::from_exact(v.y), Traits::from_exact(v.z)};
-  };
-  find(geometry::Ray<Number>{rounded(ray.origin), rounded(ray.direction)});
+  find(geometry::Ray<Number>{rounded<Number>(ray.origin), rounded<Number>(ray.direction)});
 }
 
 template <number::RealNumber Number>
@@ -64,9 +60,9 @@ geometry::Vector3<Number> RayEvents<Number>::point(const Root& t) const {
 }
 
 template <number::RealNumber Number>
-bool RayEvents<Number>::inside_at(csg::LeafIndex leaf, const Root& t) const {
+bool RayEvents<Number>::inside(csg::LeafIndex leaf, const geometry::Vector3<Number>& world) const {
   const LeafData& data = leaves_[leaf];
-  return data.surface.inside(frames_[data.frame].point(point(t)));
+  return data.surface.inside(frames_[data.frame].point(world));
 }
 
 template <number::RealNumber Number>

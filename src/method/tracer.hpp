@@ -39,12 +39,20 @@ class Tracer {
   [[nodiscard]] virtual std::span<const CrossingId> crossings() const = 0;
   [[nodiscard]] virtual bool starts_inside(csg::LeafIndex leaf) const = 0;
   [[nodiscard]] virtual bool in_some_carrier() const = 0;
+  /// Is f <= 0 for the leaf at the rounded point of a crossing, or of kStart?
+  [[nodiscard]] virtual bool inside_at(csg::LeafIndex leaf, std::size_t crossing) const = 0;
+  /// Stands for the start of the ray where a crossing is asked for.
+  static constexpr std::size_t kStart = SIZE_MAX;
   /// The double nearest to the crossing's t.
   [[nodiscard]] virtual double t(std::size_t crossing) const = 0;
   /// Are two crossings at the same t in this number type?
   [[nodiscard]] virtual bool equal_t(std::size_t a, std::size_t b) const = 0;
   /// The error of a crossing whose exact t is known; zero for exact numbers.
   [[nodiscard]] virtual HitError error(std::size_t crossing, const number::Root& truth) const = 0;
+
+  /// The medium at a point, each leaf by f <= 0 at the rounded point; on exact numbers that of
+  /// locate_exact. Needs no ray.
+  [[nodiscard]] virtual csg::Medium medium_at(const geometry::ExactPoint& point) const = 0;
 };
 
 /// A number type without its type: what tables and the program choose from.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "method/classify.hpp"
+#include "method/locate.hpp"
 #include "method/ray_events.ipp"
 #include "method/tracer.hpp"
 
@@ -41,6 +42,11 @@ class TracerOf final : public Tracer {
   }
   [[nodiscard]] bool in_some_carrier() const override { return events_.in_some_carrier(); }
 
+  [[nodiscard]] bool inside_at(csg::LeafIndex leaf, std::size_t crossing) const override {
+    return events_.inside_at(leaf, crossing == kStart ? Root{Number(0)}
+                                                      : events_.crossings()[crossing].t);
+  }
+
   [[nodiscard]] double t(std::size_t crossing) const override {
     const auto& root = events_.crossings()[crossing].t;
     if constexpr (number::ExactNumber<Number>) {
@@ -60,7 +66,20 @@ class TracerOf final : public Tracer {
 
   [[nodiscard]] HitError error(std::size_t crossing, const number::Root& truth) const override;
 
+  [[nodiscard]] csg::Medium medium_at(const geometry::ExactPoint& point) const override {
+    if constexpr (number::ExactNumber<Number>) {
+      return locate_exact(scene_, point).medium;
+    } else {
+      const geometry::Vector3<Number> world = rounded<Number>(point);
+      return csg::evaluate(scene_.tree, [&](csg::LeafIndex leaf) {
+        return events_.inside(leaf, world) ? scene_.tree.medium_of(leaf) : csg::kEmpty;
+      });
+    }
+  }
+
  private:
+  using Root = typename RayEvents<Number>::Root;
+
   // An epsilon that is a length becomes one of t: divided by the direction's length in
   // double, once for all number types, so that they all use the same.
   [[nodiscard]] Number step(const Method& method) const {

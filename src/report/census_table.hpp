@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "census/census.hpp"
 #include "geometry/vector.hpp"
@@ -9,9 +10,17 @@
 
 namespace lamina::report {
 
-/// A row for each method and number type; artifacts as rates, then laminae, errors of right
-/// hits, and the worst ray of each cell. Notes name, for each method, a ray to replay.
-Table census_table(const census::Census& census, const std::string& title);
+/// A census and what sets it apart from the others in the table: a scene, a kind of rays.
+struct LabelledCensus {
+  std::string label;
+  census::Census census;
+};
+
+/// A row for each census, method and number type; artifacts as rates, then laminae, errors of
+/// right hits, and the worst ray of each cell. Notes name, for each method of each census, a
+/// ray to replay. `label_column` says what the labels are; rows are never pooled.
+Table census_table(const std::vector<LabelledCensus>& censuses, const Column& label_column,
+                   const std::string& title);
 
 /// The six numbers of a ray as `--ray` takes them, exact.
 std::string ray_text(const geometry::ExactRay& ray);

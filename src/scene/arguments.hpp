@@ -27,7 +27,8 @@ struct Signature {
 /// node, points at the argument and says how to write it.
 class Arguments {
  public:
-  /// Every node also takes $fn, $fa and $fs. Keeps references to all but the signature.
+  /// Every node also takes $fn, $fa and $fs. Keeps references to the source
+  /// and the node; what a signature refers to lives for ever.
   Arguments(const Source& source, const Node& node, const Signature& signature);
 
   [[nodiscard]] bool has(std::string_view parameter) const { return find(parameter) != nullptr; }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "scene/arguments.hpp"
+#include "scene/materials.hpp"
 #include "scene/primitives.hpp"
 #include "scene/transforms.hpp"
 
@@ -22,6 +22,8 @@ using number::Rational;
 
 namespace {
 
+using namespace std::string_view_literals;
+
 const Signature kNoArguments{"it without arguments"};
 const Signature kRender{"render(convexity = number)", {"convexity"}};
 const Signature kColor{R"(color(c = [r, g, b, a]) or color("name", alpha = number))",
@@ -34,29 +36,12 @@ const Signature kCamera{
 const Signature kLight{"light(position = [x, y, z], color = [r, g, b])", {"position", "color"}, 1};
 const Signature kBackground{"background(color = [r, g, b])", {"color"}, 1};
 
-// Nodes of OpenSCAD, and of work to come, that are known but not read.
-constexpr std::array<std::string_view, 22> kUnsupported{"circle",
-                                                        "conic_sweep",
-                                                        "contour",
-                                                        "hull",
-                                                        "import",
-                                                        "intersection_for",
-                                                        "linear_extrude",
-                                                        "minkowski",
-                                                        "offset",
-                                                        "polygon",
-                                                        "polyhedron",
-                                                        "projection",
-                                                        "resize",
-                                                        "rotate_extrude",
-                                                        "rotational_sweep",
-                                                        "roof",
-                                                        "spline_sweep",
-                                                        "square",
-                                                        "surface",
-                                                        "text",
-                                                        "translational_sweep",
-                                                        "fill"};
+// Nodes of OpenSCAD, and of sweeps, that are known but not read.
+constexpr std::array kUnsupported{
+    "circle"sv,     "conic_sweep"sv,      "contour"sv,   "fill"sv,   "hull"sv,
+    "import"sv,     "linear_extrude"sv,   "minkowski"sv, "offset"sv, "polygon"sv,
+    "polyhedron"sv, "projection"sv,       "resize"sv,    "roof"sv,   "rotate_extrude"sv,
+    "square"sv,     "rotational_sweep"sv, "surface"sv,   "text"sv,   "translational_sweep"sv};
 
 struct Operation {
   std::string_view name;
@@ -71,10 +56,6 @@ const std::array kOperations{Operation{"add", Operator::Add, kNoArguments},
                              Operation{"render", Operator::Add, kRender},
                              Operation{"difference", Operator::Difference, kNoArguments},
                              Operation{"intersection", Operator::Intersection, kNoArguments}};
-
-bool contains(const auto& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool left_out(const Node& node) { return node.has_modifier('%') || node.has_modifier('*'); }
 
@@ -92,13 +73,23 @@ std::array<double, 3> rgb(const Color& color) {
 void extend(std::optional<Bounds>& bounds, const ExactPoint& point) {
   if (!bounds) {
     bounds = Bounds{point, point};
-    return;
   }
-  Bounds& b = *bounds;
-  b.lower = {std::min(b.lower.x, point.x), std::min(b.lower.y, point.y),
-             std::min(b.lower.z, point.z)};
-  b.upper = {std::max(b.upper.x, point.x), std::max(b.upper.y, point.y),
-             std::max(b.upper.z, point.z)};
+  auto& [lower, upper] = *bounds;
+  lower = {std::min(lower.x, point.x), std::min(lower.y, point.y), std::min(lower.z, point.z)};
+  upper = {std::max(upper.x, point.x), std::max(upper.y, point.y), std::max(upper.z, point.z)};
+}
+
+// The box around the image of a box.
+Bounds image(const AffineMap& map, const Bounds& box) {
+  std::optional<Bounds> result;
+  for (const Rational& x : {box.lower.x, box.upper.x}) {
+    for (const Rational& y : {box.lower.y, box.upper.y}) {
+      for (const Rational& z : {box.lower.z, box.upper.z}) {
+        extend(result, apply(map, {x, y, z}));
+      }
+    }
+  }
+  return *result;
 }
 
 // What is in force at a node.
@@ -114,12 +105,25 @@ struct Context {
   }
 };
 
+// The index of an item in a list without repetitions; added if it is new.
+template <typename Item, typename Key>
+std::uint32_t index_in(std::vector<Item>& items, const Item& item,
+                       std::map<Key, std::uint32_t>& known, const Key& key) {
+  const auto [entry, added] = known.try_emplace(key, static_cast<std::uint32_t>(items.size()));
+  if (added) {
+    items.push_back(item);
+  }
+  return entry->second;
+}
+
+struct PlacedSolid {
+  AffineMap to_local;
+  std::optional<Bounds> box;  // in world coordinates
+};
+
 class Builder {
  public:
-  Builder(const Source& source, const ReadOptions& options) : source_(source), options_(options) {
-    scene_.materials.push_back({"", {0, 0, 0, 0}});
-    declared_.push_back(false);
-  }
+  Builder(const Source& source, const ReadOptions& options) : source_(source), options_(options) {}
 
   Scene build(const Node& root) {
     Context context;
@@ -201,41 +205,26 @@ class Builder {
     scene_.camera = camera;
   }
 
-  // The medium of a material node, declared if it has a colour.
+  // The medium of a material node, which may state its colour.
   Medium material(const Arguments& arguments) {
     const std::string name = *arguments.text("name");
     if (name.empty()) {
       arguments.fail_at("name", "the name must not be empty");
     }
-    const std::optional<Color> color = arguments.color("color");
     const Medium medium = medium_named(name, arguments);
-    if (color) {
-      declare_color(medium, *color, arguments);
+    const std::optional<Color> color = arguments.color("color");
+    if (color && !materials_.set_color(medium, *color)) {
+      arguments.fail(fmt::format("`{}` has another colour already", name));
     }
     return medium;
   }
 
-  void declare_color(Medium medium, const Color& color, const Arguments& arguments) {
-    const auto [red, green, blue] = rgb(color);
-    const std::array<double, 4> rounded{red, green, blue, number::nearest_double(color[3])};
-    Material& material = scene_.materials[medium];
-    if (declared_[medium] && material.color != rounded) {
-      arguments.fail(fmt::format("`{}` has another colour already", material.name));
-    }
-    material.color = rounded;
-    declared_[medium] = true;
-  }
-
   Medium medium_named(const std::string& name, const Arguments& user) {
-    const auto [entry, added] = medium_of_name_.try_emplace(name, scene_.materials.size());
-    if (added) {
-      if (entry->second > std::numeric_limits<Medium>::max()) {
-        user.fail("there are too many materials");
-      }
-      scene_.materials.push_back({name});
-      declared_.push_back(false);
+    const std::optional<Medium> medium = materials_.named(name);
+    if (!medium) {
+      user.fail("there are too many materials");
     }
-    return static_cast<Medium>(entry->second);
+    return *medium;
   }
 
   Expression build(const Node& node, Context context) {
@@ -267,7 +256,7 @@ class Builder {
       context.medium = material(arguments);
       return combine(Operator::Add, "add", children(node), context);
     }
-    if (contains(kUnsupported, node.name)) {
+    if (std::find(kUnsupported.begin(), kUnsupported.end(), node.name) != kUnsupported.end()) {
       fail(node, "this node is not supported yet: leave it out, or put `*` before it");
     }
     fail(node,
@@ -284,7 +273,9 @@ class Builder {
         arguments.fail_at("alpha", "`alpha` must be from 0 to 1");
       }
       context.medium = medium_named(canonical_text(*color), arguments);
-      declare_color(context.medium, *color, arguments);
+      if (!materials_.set_color(context.medium, *color)) {
+        arguments.fail("a material has the name of this colour, and another colour");
+      }
     }
     return combine(Operator::Add, "add", children(node), context);
   }
@@ -308,26 +299,16 @@ class Builder {
       leaves.push_back(Expression::of_leaf(static_cast<csg::LeafIndex>(drafts_.size())));
       Leaf leaf;
       leaf.surface = part.surface;
-      leaf.frame = static_cast<std::uint32_t>(solid_to_local_.size());
+      leaf.frame = static_cast<std::uint32_t>(placed_.size());
       leaf.medium = medium;
       leaf.path = part.name.empty() ? path : path + "." + part.name;
       drafts_.push_back(std::move(leaf));
     }
-    solid_to_local_.push_back(inverse(context.to_world).value());
+    placed_.push_back({inverse(context.to_world).value(), std::nullopt});
     if (solid.box) {
-      extend_bounds(*solid.box, context.to_world);
+      placed_.back().box = image(context.to_world, *solid.box);
     }
     return Expression::of(solid.op, std::move(leaves));
-  }
-
-  void extend_bounds(const Bounds& box, const AffineMap& to_world) {
-    for (const Rational& x : {box.lower.x, box.upper.x}) {
-      for (const Rational& y : {box.lower.y, box.upper.y}) {
-        for (const Rational& z : {box.lower.z, box.upper.z}) {
-          extend(scene_.bounds, apply(to_world, {x, y, z}));
-        }
-      }
-    }
   }
 
   static std::vector<const Node*> children(const Node& node) {
@@ -361,32 +342,26 @@ class Builder {
 
   // Numbers the leaves that are left from left to right, and finds equal frames and carriers.
   void finish(Expression expression) {
-    std::map<decltype(AffineMap::rows), std::uint32_t> frame_of_rows;
-    std::map<surface::Carrier, surface::CarrierIndex> index_of_carrier;
+    std::map<decltype(AffineMap::rows), std::uint32_t> known_frames;
+    std::map<surface::Carrier, surface::CarrierIndex> known_carriers;
     std::vector<Medium> media;
     for (const csg::LeafIndex draft : renumber_leaves(expression)) {
-      const auto index = static_cast<csg::LeafIndex>(scene_.leaves.size());
       Leaf& leaf = scene_.leaves.emplace_back(std::move(drafts_[draft]));
-      const AffineMap& to_local = solid_to_local_[leaf.frame];
-      auto [carrier, side] = surface::carrier_of(leaf.surface, to_local);
+      const auto& [to_local, box] = placed_[leaf.frame];
+      if (box) {
+        extend(scene_.bounds, box->lower);
+        extend(scene_.bounds, box->upper);
+      }
+      const auto [carrier, side] = surface::carrier_of(leaf.surface, to_local);
       leaf.side = side;
-      const auto [known_frame, new_frame] = frame_of_rows.try_emplace(
-          to_local.rows, static_cast<std::uint32_t>(scene_.frames.size()));
-      leaf.frame = known_frame->second;
-      if (new_frame) {
-        scene_.frames.push_back(to_local);
-      }
-      const auto [known_carrier, new_carrier] = index_of_carrier.try_emplace(
-          std::move(carrier), static_cast<surface::CarrierIndex>(scene_.carriers.size()));
-      leaf.carrier = known_carrier->second;
-      if (new_carrier) {
-        scene_.carriers.push_back(known_carrier->first);
-        scene_.leaves_of_carrier.emplace_back();
-      }
-      scene_.leaves_of_carrier[leaf.carrier].push_back(index);
+      leaf.frame = index_in(scene_.frames, to_local, known_frames, to_local.rows);
+      leaf.carrier = index_in(scene_.carriers, carrier, known_carriers, carrier);
+      scene_.leaves_of_carrier.resize(scene_.carriers.size());
+      scene_.leaves_of_carrier[leaf.carrier].push_back(static_cast<csg::LeafIndex>(media.size()));
       media.push_back(leaf.medium);
     }
     scene_.tree = csg::Tree(expression, std::move(media));
+    scene_.materials = materials_.materials();
   }
 
   [[noreturn]] void fail(const Node& node, std::string_view reason) const {
@@ -396,10 +371,9 @@ class Builder {
   const Source& source_;
   const ReadOptions& options_;
   Scene scene_;
-  std::map<std::string, std::size_t> medium_of_name_;
-  std::vector<bool> declared_;  // by medium: whether its colour is stated
-  std::vector<Leaf> drafts_;    // leaves; `frame` is an index into solid_to_local_
-  std::vector<AffineMap> solid_to_local_;
+  MaterialTable materials_;
+  std::vector<Leaf> drafts_;  // as they come; `frame` is an index into placed_
+  std::vector<PlacedSolid> placed_;
 };
 
 }  // namespace

@@ -183,8 +183,11 @@ RayMonomials::RayMonomials(const ExactRay& ray) {
     common = lcm(common, Integer(denominator(*value)));
   }
   const auto linear = [&common](const Rational& origin, const Rational& direction) {
-    return Polynomial{numerator(origin) * (common / denominator(origin)),
-                      numerator(direction) * (common / denominator(direction))};
+    Polynomial coordinate{numerator(origin) * (common / denominator(origin))};
+    if (!direction.is_zero()) {
+      coordinate.push_back(numerator(direction) * (common / denominator(direction)));
+    }
+    return coordinate;
   };
   coordinates_ = {linear(ray.origin.x, ray.direction.x), linear(ray.origin.y, ray.direction.y),
                   linear(ray.origin.z, ray.direction.z), Polynomial{common}};

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "base/contract.hpp"
+#include "census/census.hpp"
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/options.hpp"
+#include "cli/progress.hpp"
+#include "report/census_table.hpp"
+#include "scene/rays.hpp"
+
+namespace lamina::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes;
+  SceneOptions read;
+  SolverOptions solvers;
+  std::string methods = "all";
+  std::string numbers = "all";
+  std::uint64_t rays = 1000;
+  std::string rays_file;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::string format = "md";
+};
+
+// Folders stand for the scene files in them.
+std::vector<std::string> scene_paths(const std::vector<std::string>& given) {
+  std::vector<std::string> paths;
+  for (const std::string& path : given) {
+    if (!std::filesystem::is_directory(path)) {
+      paths.push_back(path);
+      continue;
+    }
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(path)) {
+      if (entry.path().extension() == ".csg") {
+        files.push_back(entry.path().string());
+      }
+    }
+    if (files.empty()) {
+      throw base::InputError(fmt::format("folder '{}' has no .csg files", path));
+    }
+    std::sort(files.begin(), files.end());
+    paths.insert(paths.end(), files.begin(), files.end());
+  }
+  return paths;
+}
+
+census::Census scene_census(const scene::Scene& scene, const Options& options,
+                            const census::Plan& plan,
+                            const std::vector<geometry::ExactRay>& given_rays,
+                            const census::Progress& progress) {
+  if (given_rays.empty() && !scene.bounds) {
+    throw base::InputError(fmt::format(
+        "{}: nothing in the scene is bounded, so there is no box to aim rays at: give --rays-file",
+        scene.name));
+  }
+  constexpr std::uint64_t kRaysPerTask = 64;
+  const std::uint64_t count = given_rays.empty() ? options.rays : given_rays.size();
+  return census::run_census(
+      plan, (count + kRaysPerTask - 1) / kRaysPerTask,
+      [&](std::size_t index) {
+        const std::uint64_t first = index * kRaysPerTask;
+        const std::uint64_t last = std::min(first + kRaysPerTask, count);
+        if (given_rays.empty()) {
+          base::SeededStream stream("census/uniform", options.seed, index);
+          return census::Task{scene,
+                              scene::uniform_rays(*scene.bounds, last - first, stream)};
+        }
+        return census::Task{scene, {given_rays.begin() + static_cast<std::ptrdiff_t>(first),
+                                    given_rays.begin() + static_cast<std::ptrdiff_t>(last)}};
+      },
+      progress);
+}
+
+void run(const Options& options) {
+  const report::Format format = report::parse_format(options.format);
+  const census::Plan plan{parse_methods(options.methods), parse_numbers(options.numbers),
+                          options.solvers.solvers(), options.threads};
+  const auto rays = options.rays_file.empty() ? std::vector<geometry::ExactRay>{}
+                                              : read_rays(options.rays_file);
+  if (!options.rays_file.empty() && rays.empty()) {
+    throw base::InputError(fmt::format("'{}' has no rays", options.rays_file));
+  }
+  catch_interrupts();
+  std::vector<report::LabelledCensus> censuses;
+  for (const std::string& path : scene_paths(options.scenes)) {
+    SceneOptions one = options.read;
+    one.path = path;
+    const scene::Scene scene = one.open();
+    censuses.push_back({path, scene_census(scene, options, plan, rays, progress_bar())});
+    if (censuses.back().census.interrupted) {
+      break;
+    }
+  }
+  const report::Table table =
+      report::census_table(censuses, {"scene", "scene", ""}, "census");
+  fmt::print("{}", report::write(table, format));
+}
+
+}  // namespace
+
+void add_census(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "census", "counts what each method in each number type gets wrong on a scene");
+  command->footer(
+      "Rays go through uniformly random points of the scene's bounding box, from outside; float\n"
+      "holds them exactly, and all methods and number types get the same. Below the table is what\n"
+      "each column means, and rays to replay with `lamina explain`.\n\n"
+      "Example: lamina census data/scenes/figure07.csg --numbers float,double --rays 10000");
+  command->add_option("scene", options->scenes, "scene files (.csg), folders, family members")
+      ->required();
+  options->read.add_facets_to(*command);
+  command->add_option("--methods", options->methods, "separated by commas, or all")
+      ->capture_default_str();
+  command->add_option("--numbers", options->numbers, "separated by commas, or all")
+      ->capture_default_str();
+  command->add_option("--rays", options->rays, "number of rays for each scene")
+      ->capture_default_str();
+  command->add_option("--rays-file", options->rays_file, "these rays instead of random ones");
+  command->add_option("--seed", options->seed, "of the random rays")->capture_default_str();
+  command->add_option("--threads", options->threads, "0: all; results do not depend on it")
+      ->capture_default_str();
+  command->add_option("--format", options->format, "md, csv, json, latex")->capture_default_str();
+  options->solvers.add_to(*command);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace lamina::cli

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/registry.hpp"
+#include "experiments/experiment.hpp"
+
+namespace lamina::cli {
+namespace {
+
+void print(const std::string& name, const std::string& meaning) {
+  fmt::print("{:<30} {}\n", name, meaning);
+}
+
+void list_numbers() {
+  for (const method::NumberChoice& number : all_numbers()) {
+    print(number.name, number.significand_bits == 0
+                           ? "rational coefficients, real algebraic roots"
+                           : fmt::format("{} significand bits", number.significand_bits));
+  }
+}
+
+}  // namespace
+
+void add_list(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("list", "what there is to choose from");
+  command->require_subcommand(1);
+  command->add_subcommand("methods", "ways of deciding what a ray sees")->callback([] {
+    for (const method::MethodHelp& help : method::method_help()) {
+      print(help.spelling, help.meaning);
+    }
+  });
+  command->add_subcommand("numbers", "number types")->callback(list_numbers);
+  command->add_subcommand("experiments", "for `lamina run`")->callback([] {
+    for (const experiments::Experiment& e : experiments::all_experiments()) {
+      print(e.name, e.question);
+    }
+  });
+  command->add_subcommand("solvers", "root finders, for --quadratic and --quartic")->callback([] {
+    for (const SolverName& solver : solver_names()) {
+      print(solver.name, solver.meaning);
+    }
+  });
+}
+
+}  // namespace lamina::cli

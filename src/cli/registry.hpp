@@ -1,0 +1,39 @@
+// Where names become number types and methods.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "method/method.hpp"
+#include "method/tracer.hpp"
+#include "poly/line_roots.hpp"
+
+namespace lamina::cli {
+
+/// Every number type, in the order of number/all_numbers.hpp.
+const std::vector<method::NumberChoice>& all_numbers();
+
+/// `double`, `bin24` or `bin<24>`, ... Throws base::InputError that lists them.
+method::NumberChoice parse_number(const std::string& text);
+
+/// Names separated by commas, or `all`.
+std::vector<method::NumberChoice> parse_numbers(const std::string& text);
+
+/// Spellings separated by commas, or `all`: the five methods, epsilon at the tolerance that
+/// stands in kAllMethods. A bare `epsilon` takes it too: outputs always state it.
+std::vector<method::Method> parse_methods(const std::string& text);
+method::Method parse_method(const std::string& text);
+
+inline constexpr const char* kAllMethods =
+    "roth,wyvill-sharp,epsilon:1e-6,regularized,wyvill-trotman";
+
+struct SolverName {
+  std::string name;
+  std::string meaning;
+};
+std::vector<SolverName> solver_names();
+
+/// `plain` or `careful`, and `ferrari` or `monotone`.
+poly::Solvers parse_solvers(const std::string& quadratic, const std::string& quartic);
+
+}  // namespace lamina::cli

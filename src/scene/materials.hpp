@@ -1,0 +1,32 @@
+// The materials of a scene while it is read: one for each name.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/colors.hpp"
+#include "scene/scene.hpp"
+
+namespace lamina::scene {
+
+class MaterialTable {
+ public:
+  MaterialTable();
+
+  /// The medium of that name, which is not empty. Nothing if there are too many.
+  std::optional<csg::Medium> named(const std::string& name);
+
+  /// Whether the material can have the colour: it has no other one yet.
+  [[nodiscard]] bool set_color(csg::Medium medium, const Color& color);
+
+  [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+
+ private:
+  std::vector<Material> materials_;
+  std::vector<bool> has_color_;  // by medium
+  std::map<std::string, csg::Medium> medium_of_name_;
+};
+
+}  // namespace lamina::scene

@@ -1,0 +1,48 @@
+#include "trace/camera.hpp"
+
+#include <cmath>
+
+#include "base/contract.hpp"
+
+namespace lamina::trace {
+namespace {
+
+using Vector = geometry::Vector3<double>;
+
+Vector to_double(const geometry::ExactPoint& p) {
+  using number::nearest_double;
+  return {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+}
+
+Vector normalised(const Vector& v) {
+  const double length = std::sqrt(dot(v, v));
+  if (!(length > 0)) {
+    throw base::InputError(
+        "camera: eye and look_at must differ, and up must not point along the view");
+  }
+  return (1 / length) * v;
+}
+
+geometry::ExactPoint rounded_to_float(const Vector& v) {
+  const auto exact = [](double value) { return number::Rational(static_cast<float>(value)); };
+  return {exact(v.x), exact(v.y), exact(v.z)};
+}
+
+}  // namespace
+
+geometry::ExactRay pixel_ray(const scene::Camera& camera, const ImageSize& size, double x,
+                             double y) {
+  const Vector eye = to_double(camera.eye);
+  const Vector forward = normalised(to_double(camera.look_at) - eye);
+  const Vector right = normalised(cross(forward, to_double(camera.up)));
+  const Vector up = cross(right, forward);
+  const double half_height =
+      std::tan(number::nearest_double(camera.fov_degrees) * M_PI / 360);
+  const double pixel = 2 * half_height / size.height;
+  const double across = (x + 0.5 - 0.5 * size.width) * pixel;
+  const double upward = (0.5 * size.height - y - 0.5) * pixel;
+  return {rounded_to_float(eye),
+          rounded_to_float(normalised(forward + across * right + upward * up))};
+}
+
+}  // namespace lamina::trace
