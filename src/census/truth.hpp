@@ -12,13 +12,11 @@ namespace lamina::census {
 struct TruthClass {
   std::vector<csg::LeafIndex> leaves;  ///< ascending
   csg::CoincidentClass effect;
-  std::uint32_t first_crossing = 0;    ///< index into Truth::crossings() of its first event
+  std::uint32_t first_crossing = 0;  ///< index into Truth::crossings() of its first event
   bool all_enter = false;
   bool all_leave = false;
 
-  [[nodiscard]] bool is_interface() const {
-    return effect.transition.from != effect.transition.to;
-  }
+  [[nodiscard]] bool is_interface() const { return effect.transition.from != effect.transition.to; }
 };
 
 /// One exact crossing of a leaf.

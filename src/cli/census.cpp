@@ -12,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "report/census_table.hpp"
 #include "scene/rays.hpp"
+#include "trace/camera.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -52,29 +53,36 @@ std::vector<std::string> scene_paths(const std::vector<std::string>& given) {
   return paths;
 }
 
+// Task `index` of a scene: its part of the given rays, or of random ones.
+std::vector<geometry::ExactRay> draw_rays(const scene::Scene& scene, const Options& options,
+                                          std::size_t index, std::uint64_t count) {
+  base::SeededStream stream("census/rays", options.seed, index);
+  return scene.bounds ? scene::uniform_rays(*scene.bounds, count, stream)
+                      : trace::camera_rays(*scene.camera, count, stream);
+}
+
 census::Census scene_census(const scene::Scene& scene, const Options& options,
                             const census::Plan& plan,
-                            const std::vector<geometry::ExactRay>& given_rays,
+                            const std::vector<geometry::ExactRay>& given,
                             const census::Progress& progress) {
-  if (given_rays.empty() && !scene.bounds) {
-    throw base::InputError(fmt::format(
-        "{}: nothing in the scene is bounded, so there is no box to aim rays at: give --rays-file",
-        scene.name));
+  if (given.empty() && !scene.bounds && !scene.camera) {
+    throw base::InputError(
+        fmt::format("{}: nothing in the scene is bounded and it has no camera, so there is nothing "
+                    "to aim rays at: give --rays-file",
+                    scene.name));
   }
   constexpr std::uint64_t kRaysPerTask = 64;
-  const std::uint64_t count = given_rays.empty() ? options.rays : given_rays.size();
+  const std::uint64_t count = given.empty() ? options.rays : given.size();
   return census::run_census(
       plan, (count + kRaysPerTask - 1) / kRaysPerTask,
       [&](std::size_t index) {
         const std::uint64_t first = index * kRaysPerTask;
         const std::uint64_t last = std::min(first + kRaysPerTask, count);
-        if (given_rays.empty()) {
-          base::SeededStream stream("census/uniform", options.seed, index);
-          return census::Task{scene,
-                              scene::uniform_rays(*scene.bounds, last - first, stream)};
-        }
-        return census::Task{scene, {given_rays.begin() + static_cast<std::ptrdiff_t>(first),
-                                    given_rays.begin() + static_cast<std::ptrdiff_t>(last)}};
+        return census::Task{
+            scene, given.empty()
+                       ? draw_rays(scene, options, index, last - first)
+                       : std::vector(given.begin() + static_cast<std::ptrdiff_t>(first),
+                                     given.begin() + static_cast<std::ptrdiff_t>(last))};
       },
       progress);
 }
@@ -111,9 +119,10 @@ void add_census(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "census", "counts what each method in each number type gets wrong on a scene");
   command->footer(
-      "Rays go through uniformly random points of the scene's bounding box, from outside; float\n"
-      "holds them exactly, and all methods and number types get the same. Below the table is what\n"
-      "each column means, and rays to replay with `lamina explain`.\n\n"
+      "Rays go through uniformly random points of the scene's bounding box, from outside, or of its\n"
+      "camera's image where nothing is bounded; float holds them exactly, and all methods and number\n"
+      "types get the same. Below the table is what each column means, and rays to replay with\n"
+      "`lamina explain`.\n\n"
       "Example: lamina census data/scenes/figure07.csg --numbers float,double --rays 10000");
   command->add_option("scene", options->scenes, "scene files (.csg), folders, family members")
       ->required();

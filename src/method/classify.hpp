@@ -1,6 +1,7 @@
 // The one loop behind every method: groups of events, in order, through the CSG tree.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "csg/ray_state.hpp"
@@ -83,6 +84,14 @@ class Classifier {
     return state_.medium() != before;
   }
 
+  // Is the leaf of the crossing `later` none of those in first .. later-1? A surface that has
+  // just been crossed is not one of the "additional surfaces" of W&T 3.6: its next crossing is
+  // its far side, and an inside test at the point would only see rounding.
+  [[nodiscard]] bool is_additional(std::size_t first, std::size_t later) const {
+    return std::none_of(crossings_.begin() + first, crossings_.begin() + later,
+                        [&](const auto& c) { return c.leaf == crossings_[later].leaf; });
+  }
+
   // W&T 3.6: is the point of `hit` beyond the surface of the later crossing?
   [[nodiscard]] bool passed(const Method& method, std::size_t hit, std::size_t later) const {
     return events_.inside_at(crossings_[later].leaf, crossings_[hit].t) ==
@@ -107,7 +116,7 @@ class Classifier {
         }
       }
       if (method.look_ahead == LookAhead::Literal && state_.medium() != from) {
-        while (end < crossings_.size() && !stops_ray(state_.medium()) &&
+        while (end < crossings_.size() && !stops_ray(state_.medium()) && is_additional(first, end) &&
                passed(method, surface, end)) {
           cross(method, end++, group);
         }

@@ -72,7 +72,9 @@ Method parse_method(std::string_view text) {
     if (value.sign() < 0 || (relative && value >= 1)) {
       fail(relative ? "a relative tolerance is at least 0 and below 1" : "the tolerance is negative");
     }
-    return epsilon(value, relative);
+    Method result = epsilon(value, relative);
+    result.name = std::string(text);  // 1e-6 stays 1e-6
+    return result;
   }
   Method result;
   if (parts[0] == "roth") {

@@ -23,8 +23,11 @@ constexpr int kNoClass = -2;
 class Search {
  public:
   explicit Search(const Outcome& outcome)
-      : outcome_(outcome), truth_(*outcome.truth), tree_(outcome.scene->tree),
-        exact_(truth_.crossings().size()), record_of_(outcome.lane->exact_of.size(), kNoCrossing) {
+      : outcome_(outcome),
+        truth_(*outcome.truth),
+        tree_(outcome.scene->tree),
+        exact_(truth_.crossings().size()),
+        record_of_(outcome.lane->exact_of.size(), kNoCrossing) {
     for (csg::LeafIndex leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
       for (const TruthCrossing& crossing : truth_.crossings_of(leaf)) {
         exact_[crossing.crossing] = &crossing;

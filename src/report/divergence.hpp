@@ -12,21 +12,21 @@ namespace lamina::report {
 /// What makes the first wrong interface of an outcome wrong.
 struct Divergence {
   enum class Cause : std::uint8_t {
-    None,            ///< the outcome is right
-    RootMissing,     ///< the solver did not find `exact`
-    RootInvented,    ///< `record` is no crossing
-    WrongStart,      ///< `leaf` is taken for what it is not, t towards -infinity
-    OtherSide,       ///< `record` is on the other side of t = 0
-    NotFinite,       ///< the t of `record` overflowed
-    WrongSense,      ///< `record` enters what it leaves, or the other way round
-    Rejected,        ///< `record` failed the validity check
-    Swapped,         ///< `record` comes before `other`, in truth behind it
-    Split,           ///< `other` and `record` are at the same t in truth, not here
-    OneAtATime,      ///< `other` and `record` are at the same t, and processed one by one
-    Merged,          ///< `other` and `record` are processed at once, in truth one is later
-    LookedAhead,     ///< `record` is crossed with `other` since its point has passed it
-    InsideTest,      ///< at the point of `record`, or at the start, `leaf` is not as tested
-    NotOwner,        ///< `record` is not what makes this interface
+    None,          ///< the outcome is right
+    RootMissing,   ///< the solver did not find `exact`
+    RootInvented,  ///< `record` is no crossing
+    WrongStart,    ///< `leaf` is taken for what it is not, t towards -infinity
+    OtherSide,     ///< `record` is on the other side of t = 0
+    NotFinite,     ///< the t of `record` overflowed
+    WrongSense,    ///< `record` enters what it leaves, or the other way round
+    Rejected,      ///< `record` failed the validity check
+    Swapped,       ///< `record` comes before `other`, in truth behind it
+    Split,         ///< `other` and `record` are at the same t in truth, not here
+    OneAtATime,    ///< `other` and `record` are at the same t, and processed one by one
+    Merged,        ///< `other` and `record` are processed at once, in truth one is later
+    LookedAhead,   ///< `record` is crossed with `other` since its point has passed it
+    InsideTest,    ///< at the point of `record`, or at the start, `leaf` is not as tested
+    NotOwner,      ///< `record` is not what makes this interface
     Unknown,
   };
   static constexpr std::uint32_t kNone = UINT32_MAX;

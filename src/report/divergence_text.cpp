@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "report/divergence.hpp"
 #include "report/page.hpp"
 
@@ -23,8 +25,8 @@ class Phrases {
       case Cause::None:
         return "";
       case Cause::RootMissing:
-        return format("The solver finds no root for {} here; in truth the ray {} it at t = {}.", leaf,
-                      enters(exact_enters(divergence_.exact)), exact_t(divergence_.exact));
+        return format("The solver finds no root for {} here; in truth the ray {} it at t = {}.",
+                      leaf, enters(exact_enters(divergence_.exact)), exact_t(divergence_.exact));
       case Cause::RootInvented:
         return format("The solver finds a root for {} at t = {}; in truth there is none.", leaf,
                       t(r));
@@ -33,21 +35,21 @@ class Phrases {
                       in(outcome_.first_state(divergence_.leaf)),
                       in(outcome_.truth->starts_inside(divergence_.leaf)));
       case Cause::OtherSide:
-        return format(
-            "In truth {} is crossed at t = {}, {} the start; here its t comes out as {}.", leaf,
-            exact_t(exact()), ahead_in_truth() ? "ahead of" : "not ahead of", found_t());
+        return format("In truth {} is crossed at t = {}, {} the start; here its t comes out as {}.",
+                      leaf, exact_t(exact()), ahead_in_truth() ? "ahead of" : "not ahead of",
+                      found_t());
       case Cause::NotFinite:
         return format("The t of {} overflows; in truth it is {}.", leaf, exact_t(exact()));
       case Cause::WrongSense:
         return format("By {} the ray {} {} here; in truth it {} it.", sense(),
                       enters(record(r).enters), leaf, enters(exact_enters(exact())));
       case Cause::Rejected:
-        return format("The validity check rejects that the ray {} {}, which is taken to be {} already.",
-                      enters(record(r).enters), leaf, in(record(r).inside));
-      case Cause::Swapped:
         return format(
-            "In truth {} is crossed before {}, at t = {} and {}; rounding puts {} first.",
-            name(other), leaf, exact_t(exact_of(other)), exact_t(exact_of(r)), leaf);
+            "The validity check rejects that the ray {} {}, which is taken to be {} already.",
+            enters(record(r).enters), leaf, in(record(r).inside));
+      case Cause::Swapped:
+        return format("In truth {} is crossed before {}, at t = {} and {}; rounding puts {} first.",
+                      name(other), leaf, exact_t(exact_of(other)), exact_t(exact_of(r)), leaf);
       case Cause::Split:
         return format(
             "{} and {} are crossed at exactly the same t; in {} they are at t = {} and {}, {}: "
@@ -61,18 +63,17 @@ class Phrases {
             "{} alone the medium is {}.",
             name(other), leaf, name(other), medium_behind(r - 1));
       case Cause::Merged:
-        return format("In truth {} and {} are crossed at t = {} and {}, one after the other; {}.",
-                      name(other), leaf, exact_t(exact_of(other)), exact_t(exact_of(r)),
-                      within_epsilon()
-                          ? "that is within epsilon, and so they are processed at once"
-                          : format("in {} both are at t = {}, and so are processed at once",
-                                   number(), t(r)));
+        return format(
+            "In truth {} and {} are crossed at t = {} and {}, one after the other; {}.",
+            name(other), leaf, exact_t(exact_of(other)), exact_t(exact_of(r)),
+            within_epsilon()
+                ? "that is within epsilon, and so they are processed at once"
+                : format("in {} both are at t = {}, and so are processed at once", number(), t(r)));
       case Cause::LookedAhead:
         return format(
             "The look-ahead (W&T 3.6) crosses {} together with {}: the inside test says that the "
             "rounded point is beyond it already. In truth {} is crossed at t = {}, and {} at {}.",
-            leaf, name(other), name(other), exact_t(exact_of(other)), leaf,
-            exact_t(exact_of(r)));
+            leaf, name(other), name(other), exact_t(exact_of(other)), leaf, exact_t(exact_of(r)));
       case Cause::InsideTest:
         return inside_test();
       case Cause::NotOwner:
@@ -141,32 +142,50 @@ class Phrases {
     const method::Tracer& tracer = *outcome_.lane->tracer;
     if (divergence_.record == Divergence::kNone) {
       const bool inside = tracer.inside_at(leaf, method::Tracer::kStart);
-      return format("At the start of the ray the inside test finds the point {} {}; in truth the "
-                    "ray starts {} it.",
-                    in(inside), tested, in(!inside));
+      return format(
+          "At the start of the ray the inside test finds the point {} {}; in truth the "
+          "ray starts {} it.",
+          in(inside), tested, in(!inside));
     }
     const method::EventRecord& event = record(divergence_.record);
     const std::string own = name(divergence_.record);
     const bool inside = tracer.inside_at(leaf, event.crossing);
-    const std::string finding =
-        format("at the rounded point of {} the inside test finds the point {} {}", own, in(inside),
-               tested);
-    for (const method::EventRecord& of_tested : outcome_.records) {
-      if (outcome_.leaf_of(of_tested) == leaf && same_class(of_tested, event)) {
-        const bool back = tracer.inside_at(outcome_.leaf_of(event), of_tested.crossing);
-        return format("{} and {} are crossed at exactly the same t; {}, and at that of {} {} {}.",
-                      own, tested, finding, tested, in(back), own);
-      }
+    const std::string point =
+        outcome_.lane->number->significand_bits > 0 ? "the rounded point" : "the point";
+    const auto coincident = partner(leaf, event);
+    if (!coincident) {
+      return format("The inside test finds {} of {} {} {}; in truth it is {}.", point, own,
+                    in(inside), tested, in(!inside));
     }
-    return format("A{}; in truth it is {}.", finding.substr(1), in(!inside));
+    std::string text = format(
+        "{} and {} are crossed at exactly the same t, but the inside test finds {} of {} {} {}",
+        own, tested, point, own, in(inside), tested);
+    if (const method::EventRecord* back = *coincident) {
+      text += format(", and that of {} {} {}: {}", tested,
+                     in(tracer.inside_at(outcome_.leaf_of(event), back->crossing)), own,
+                     outcome_.reported(event) == nullptr && outcome_.reported(*back) == nullptr
+                         ? "neither is reported"
+                         : "they are taken for two surfaces");
+    }
+    return text + ".";
   }
 
-  [[nodiscard]] bool same_class(const method::EventRecord& a, const method::EventRecord& b) const {
-    const std::uint32_t exact_a = outcome_.exact_of(a);
-    const std::uint32_t exact_b = outcome_.exact_of(b);
+  // The leaf's event at exactly the t of another one, which may be missing; nothing if it has
+  // no crossing there in truth.
+  [[nodiscard]] std::optional<const method::EventRecord*> partner(
+      csg::LeafIndex leaf, const method::EventRecord& event) const {
     const auto crossings = outcome_.truth->crossings();
-    return exact_a != census::kNoCrossing && exact_b != census::kNoCrossing &&
-           compare(crossings[exact_a].t, crossings[exact_b].t) == 0;
+    for (const census::TruthCrossing& candidate : outcome_.truth->crossings_of(leaf)) {
+      if (compare(crossings[candidate.crossing].t, crossings[outcome_.exact_of(event)].t) == 0) {
+        for (const method::EventRecord& other : outcome_.records) {
+          if (outcome_.exact_of(other) == candidate.crossing) {
+            return &other;
+          }
+        }
+        return nullptr;
+      }
+    }
+    return std::nullopt;
   }
 
   const Divergence& divergence_;

@@ -29,13 +29,14 @@ class Events {
     const std::string t = format("t in {}", outcome_.lane->number->name);
     columns.add(cells("", with_numbers_ ? t : "", "", "ulps off", "event", "inside", "medium", ""));
     columns.add(cells("", "start", "", "", "", start_states_,
-                      medium_name(*outcome_.scene, outcome_.report.start), ""));
+                      medium_name(*outcome_.scene, outcome_.report.start),
+                      behind_ == 0 ? "" : format("{} events at t <= 0", behind_)));
     const auto [first, last] = window();
-    note_left_out(columns, first, "");
+    note_left_out(columns, first);
     for (std::size_t i = first; i < last; ++i) {
       add_row(columns, i);
     }
-    note_left_out(columns, rows_.size() - last, "");
+    note_left_out(columns, rows_.size() - last);
     return columns.text(0);
   }
 
@@ -45,7 +46,7 @@ class Events {
     std::uint32_t record = kNoCrossing;
     std::uint32_t missing = kNoCrossing;
     std::size_t others = 0;
-    std::string states;
+    std::string states{};
   };
 
   void collect() {
@@ -67,6 +68,7 @@ class Events {
       }
       if (!listed(r)) {
         start_states_ = states_text(states);
+        ++behind_;
       } else if (legend_.shows(outcome_.leaf_of(record))) {
         rows_.push_back({.record = r, .states = states_text(states)});
       } else if (!rows_.empty() && rows_.back().others > 0) {
@@ -130,24 +132,24 @@ class Events {
     if (rows_.size() <= kMost) {
       return {0, rows_.size()};
     }
-    const auto arrow = std::find_if(rows_.begin(), rows_.end(),
-                                    [this](const Row& row) { return is_arrow(row); });
+    const auto arrow =
+        std::find_if(rows_.begin(), rows_.end(), [this](const Row& row) { return is_arrow(row); });
     const std::size_t center =
         arrow == rows_.end() ? 0 : static_cast<std::size_t>(arrow - rows_.begin());
     return {center - std::min(center, kAround), std::min(center + kAround + 1, rows_.size())};
   }
 
-  void note_left_out(Columns& columns, std::size_t count, const std::string& what) const {
+  void note_left_out(Columns& columns, std::size_t count) const {
     if (count > 0) {
-      columns.add(cells("", "..", "", "", "", "", "", format("{} more rows{}", count, what)));
+      columns.add(cells("", "..", "", "", "", "", "", format("{} more rows", count)));
     }
   }
 
   // Drops the columns that do not apply.
-  [[nodiscard]] std::vector<std::string> cells(std::string arrow, std::string t,
-                                               std::string group, std::string ulps,
-                                               std::string event, std::string states,
-                                               std::string medium, std::string remark) const {
+  [[nodiscard]] std::vector<std::string> cells(std::string arrow, std::string t, std::string group,
+                                               std::string ulps, std::string event,
+                                               std::string states, std::string medium,
+                                               std::string remark) const {
     std::vector<std::string> row{std::move(arrow), std::move(t), std::move(group)};
     if (outcome_.lane->number->significand_bits > 0 && with_numbers_) {
       row.push_back(std::move(ulps));
@@ -177,8 +179,7 @@ class Events {
                                crossing.enters_by_parity ? "enters" : "leaves"),
                         row.states, "", "root not found"));
     } else {
-      columns.add(cells("", "..", "", "", "", "", "",
-                        format("{} of other leaves", row.others)));
+      columns.add(cells("", "..", "", "", "", "", "", format("{} of other leaves", row.others)));
     }
   }
 
@@ -232,6 +233,7 @@ class Events {
   const Legend& legend_;
   bool with_numbers_;
   std::string start_states_;
+  std::size_t behind_ = 0;  // events before the first that is listed
   std::vector<Row> rows_;
 };
 
@@ -256,8 +258,7 @@ std::string events_text(const Outcome& outcome, const Divergence& divergence,
   return Events(outcome, divergence, legend, true).text();
 }
 
-std::string pattern_of(const Outcome& outcome, const Divergence& divergence,
-                       const Legend& legend) {
+std::string pattern_of(const Outcome& outcome, const Divergence& divergence, const Legend& legend) {
   return format("{} {} {}", static_cast<int>(divergence.cause), verdict_text(outcome.verdict),
                 Events(outcome, divergence, legend, false).text());
 }

@@ -72,8 +72,8 @@ std::string shortened(std::string_view text, std::size_t width) {
 std::string paragraph(std::string_view text, std::string_view first, std::size_t indent) {
   std::string result;
   for (const std::string& line : broken(text, kPageWidth - indent)) {
-    result += result.empty() ? std::string(first) + spaces(indent - width_of(first))
-                             : spaces(indent);
+    result +=
+        result.empty() ? std::string(first) + spaces(indent - width_of(first)) : spaces(indent);
     result += line;
     trim_right(result);
     result += '\n';

@@ -66,7 +66,8 @@ void add_class(const scene::Scene& scene, const Truth& truth, const TruthClass& 
       remark += format(" (with {} more leaves)", cls.leaves.size() - events.size());
     }
     if (last && same_double) {
-      remark += format("{}behind the event above, by less than double tells", remark.empty() ? "" : "; ");
+      remark +=
+          format("{}behind the event above, by less than double tells", remark.empty() ? "" : "; ");
     }
     columns.add({i == 0 ? shortest_text(nearest_double(truth.t(cls)), 0) : "",
                  bracket(i, events.size()), event_text(truth, events[i], legend),
@@ -91,8 +92,8 @@ std::string events_text(const scene::Scene& scene, const Truth& truth, const Leg
       ++skipped;
     } else {
       note_skipped();
-      const bool same_double = previous != nullptr && nearest_double(truth.t(*previous)) ==
-                                                          nearest_double(truth.t(cls));
+      const bool same_double =
+          previous != nullptr && nearest_double(truth.t(*previous)) == nearest_double(truth.t(cls));
       add_class(scene, truth, cls, same_double, legend, columns);
     }
     previous = &cls;
@@ -110,10 +111,11 @@ std::string remarks(const scene::Scene& scene, const geometry::ExactRay& ray,
     const auto polynomial = monomials.restrict(scene.carriers[c]);
     const std::vector<csg::LeafIndex>& leaves = scene.leaves_of_carrier[c];
     if (polynomial.is_zero()) {
-      text += paragraph(format("The ray lies in the surface of {}: by convention it is outside of it "
-                               "all along. The census counts such rays apart and does not judge them.",
-                               names(leaves, legend)),
-                        "", 2);
+      text +=
+          paragraph(format("The ray lies in the surface of {}: by convention it is outside of it "
+                           "all along. The census counts such rays apart and does not judge them.",
+                           names(leaves, legend)),
+                    "", 2);
       continue;
     }
     for (const number::Root& root : number::real_roots(polynomial)) {
@@ -136,9 +138,10 @@ std::string bracket(std::size_t row, std::size_t count) {
   return row == 0 ? "/" : row + 1 == count ? "\\" : "|";
 }
 
-std::string truth_text(const scene::Scene& scene, const geometry::ExactRay& ray,
-                       const Truth& truth, const Legend& legend) {
-  std::string text = "The truth, t as the nearest double; brackets join events at exactly the same t\n";
+std::string truth_text(const scene::Scene& scene, const geometry::ExactRay& ray, const Truth& truth,
+                       const Legend& legend) {
+  std::string text =
+      "The truth, t as the nearest double; brackets join events at exactly the same t\n";
   text += events_text(scene, truth, legend);
   text += remarks(scene, ray, legend);
   const auto crossings = truth.crossings();
@@ -146,7 +149,8 @@ std::string truth_text(const scene::Scene& scene, const geometry::ExactRay& ray,
     return compare(crossing.t, number::Rational(0)) <= 0;
   });
   if (behind > 0) {
-    text += format("  Behind the start, at t <= 0: {} {}.\n", behind, behind == 1 ? "event" : "events");
+    text +=
+        format("  Behind the start, at t <= 0: {} {}.\n", behind, behind == 1 ? "event" : "events");
   }
   return text;
 }

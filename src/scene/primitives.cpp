@@ -179,9 +179,12 @@ const std::array kPrimitives{
 }  // namespace
 
 const Primitive* find_primitive(std::string_view name) {
-  const auto found = std::find_if(kPrimitives.begin(), kPrimitives.end(),
-                                  [name](const Primitive& p) { return p.name == name; });
-  return found == kPrimitives.end() ? nullptr : &*found;
+  for (const Primitive& primitive : kPrimitives) {
+    if (primitive.name == name) {
+      return &primitive;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace lamina::scene

@@ -101,9 +101,12 @@ const std::array kTransforms{
 }  // namespace
 
 const Transform* find_transform(std::string_view name) {
-  const auto found = std::find_if(kTransforms.begin(), kTransforms.end(),
-                                  [name](const Transform& t) { return t.name == name; });
-  return found == kTransforms.end() ? nullptr : &*found;
+  for (const Transform& transform : kTransforms) {
+    if (transform.name == name) {
+      return &transform;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace lamina::scene

@@ -45,4 +45,15 @@ geometry::ExactRay pixel_ray(const scene::Camera& camera, const ImageSize& size,
           rounded_to_float(normalised(forward + across * right + upward * up))};
 }
 
+std::vector<geometry::ExactRay> camera_rays(const scene::Camera& camera, std::uint64_t count,
+                                            base::SeededStream& stream) {
+  const ImageSize size;
+  std::vector<geometry::ExactRay> rays;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const double x = stream.uniform(-0.5, size.width - 0.5);
+    rays.push_back(pixel_ray(camera, size, x, stream.uniform(-0.5, size.height - 0.5)));
+  }
+  return rays;
+}
+
 }  // namespace lamina::trace

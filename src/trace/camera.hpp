@@ -1,6 +1,10 @@
 // Rays through the pixels of a scene's camera.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "base/seeded_stream.hpp"
 #include "geometry/vector.hpp"
 #include "scene/scene.hpp"
 
@@ -16,5 +20,9 @@ struct ImageSize {
 /// base::InputError if the camera's directions do not span an image.
 geometry::ExactRay pixel_ray(const scene::Camera& camera, const ImageSize& size, double x,
                              double y);
+
+/// Rays through uniformly random points of the camera's image, which is 4 by 3.
+std::vector<geometry::ExactRay> camera_rays(const scene::Camera& camera, std::uint64_t count,
+                                            base::SeededStream& stream);
 
 }  // namespace lamina::trace

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/seeded_stream.hpp"
+#include "support/corpus.hpp"
 #include "support/scenes.hpp"
 
 namespace lamina::scene {
@@ -39,36 +39,6 @@ std::filesystem::path figures_folder() {
   return std::filesystem::path(LAMINA_SOURCE_DIR) / "data" / "scenes";
 }
 
-std::filesystem::path corpus_folder() {
-  const char* stated = std::getenv("LAMINA_CORPUS");
-  return stated != nullptr ? std::filesystem::path(stated)
-                           : std::filesystem::path(LAMINA_SOURCE_DIR) / ".." / "shared" / "corpus";
-}
-
-// Only cube sphere cylinder multmatrix group union difference intersection color render.
-constexpr std::array kReadable{"bosl2_attachments_ex068",
-                               "bosl2_distributors_ex036",
-                               "bosl2_shapes3d_ex022",
-                               "dankamongmen_lga2011_narrow",
-                               "dankamongmen_sataplugs",
-                               "dankamongmen_twitchpiece",
-                               "jbazant_bed_socket",
-                               "jbazant_clock_stand",
-                               "jbazant_mosaic",
-                               "jbazant_paka_koule",
-                               "koen_lee_drill_centerer",
-                               "koen_lee_peaucellier",
-                               "koen_lee_pillenbakje_deksel",
-                               "koen_lee_stoelpootdopje",
-                               "koen_lee_thermostat_housing",
-                               "martmaiste_pole_mount_round",
-                               "oscex_csg",
-                               "oscex_example001",
-                               "oscex_example003",
-                               "oscex_example004",
-                               "oscex_example005",
-                               "oscex_example019"};
-
 struct Refused {
   const char* model;
   const char* place;
@@ -89,18 +59,23 @@ constexpr std::array kRefused{
 class CorpusTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::is_directory(corpus_folder())) {
-      GTEST_SKIP() << "no corpus at " << corpus_folder() << "; set LAMINA_CORPUS";
+    const auto folder = support::corpus_folder();
+    if (!folder) {
+      GTEST_SKIP() << support::kNoCorpus;
     }
+    folder_ = *folder;
   }
 
-  static std::filesystem::path file(const std::string& model, const char* extension) {
-    return corpus_folder() / (model + extension);
+  [[nodiscard]] std::filesystem::path file(const std::string& model, const char* extension) const {
+    return folder_ / (model + extension);
   }
+
+ private:
+  std::filesystem::path folder_;
 };
 
 TEST_F(CorpusTest, ReadsItsModels) {
-  for (const char* model : kReadable) {
+  for (const char* model : support::kReadableModels) {
     const Scene scene = read_scene(file(model, ".csg").string());
     EXPECT_FALSE(scene.tree.empty()) << model;
     EXPECT_TRUE(scene.warnings.empty()) << model;
@@ -126,7 +101,7 @@ TEST_F(CorpusTest, NamesTheFirstNodeThatIsNotSupported) {
 TEST_F(CorpusTest, FacetsAsOpenScadDoes) {
   constexpr std::size_t kPointsOfAModel = 25;
   std::size_t points = 0;
-  for (const char* model : kReadable) {
+  for (const char* model : support::kReadableModels) {
     const Scene scene = read_scene(file(model, ".csg").string(), {.facets = true});
     const nlohmann::json truth = nlohmann::json::parse(file_text(file(model, ".json")));
     const nlohmann::json& listed = truth.at("points");
@@ -143,7 +118,7 @@ TEST_F(CorpusTest, FacetsAsOpenScadDoes) {
       }
     }
   }
-  EXPECT_GT(points, kPointsOfAModel * kReadable.size() * 9 / 10);
+  EXPECT_GT(points, kPointsOfAModel * support::kReadableModels.size() * 9 / 10);
 }
 
 TEST(FigureTest, AllAreReadWithoutWarnings) {
