@@ -1,28 +1,15 @@
 // Rays a second: the truth, every method, every number type. Figures in README.md.
 #include <benchmark/benchmark.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
+#include <array>
+#include <string>
 
 #include "census/truth.hpp"
+#include "experiments/benchmarks/allocation_counter.hpp"
 #include "method/classify.hpp"
 #include "method/tracer.hpp"
 #include "number/all_numbers.hpp"
 #include "scene/rays.hpp"
-
-// Counts heap allocations: after warm-up a ray in hardware numbers makes none.
-static std::atomic<std::uint64_t> g_allocations{0};
-
-void* operator new(std::size_t size) {
-  ++g_allocations;
-  if (void* memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace lamina {
 namespace {
@@ -66,8 +53,6 @@ void exact_truth(benchmark::State& state, const char* text) {
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK_CAPTURE(exact_truth, twelve_leaves, kTwelveLeaves);
-BENCHMARK_CAPTURE(exact_truth, two_tori, kTwoTori);
 
 template <typename Number>
 std::vector<geometry::Ray<Number>> rounded_rays(const Setup& setup) {
@@ -99,33 +84,47 @@ void trace(benchmark::State& state, const char* text, const char* method_name) {
   for (std::size_t i = 0; i < kRays; ++i) {
     one(i);
   }
-  const std::uint64_t before = g_allocations;
   std::size_t i = 0;
+  std::uint64_t allocated = 0;  // by the rays alone, not by the benchmark around them
   for (auto _ : state) {
+    const std::uint64_t before = benchmarks::allocations();
     one(i++);
+    allocated += benchmarks::allocations() - before;
   }
   state.SetItemsProcessed(state.iterations());
-  state.counters["allocations"] = benchmark::Counter(static_cast<double>(g_allocations - before),
-                                                     benchmark::Counter::kAvgIterations);
+  state.counters["allocations"] = static_cast<double>(allocated);
 }
 
-#define LAMINA_METHOD(name, method)                                      \
-  BENCHMARK_CAPTURE(trace<double>, twelve_leaves_##name, kTwelveLeaves, method); \
-  BENCHMARK_CAPTURE(trace<double>, two_tori_##name, kTwoTori, method)
-LAMINA_METHOD(roth, "roth");
-LAMINA_METHOD(wyvill_sharp, "wyvill-sharp");
-LAMINA_METHOD(epsilon, "epsilon:1e-6");
-LAMINA_METHOD(regularized, "regularized");
-LAMINA_METHOD(wyvill_trotman, "wyvill-trotman");
-#undef LAMINA_METHOD
+struct Named {
+  const char* name;
+  const char* scene;
+};
+constexpr std::array kScenes{Named{"twelve_leaves", kTwelveLeaves}, Named{"two_tori", kTwoTori}};
 
-#define LAMINA_NUMBER(Number) \
-  BENCHMARK_CAPTURE(trace<Number>, number_twelve_leaves, kTwelveLeaves, "wyvill-trotman"); \
-  BENCHMARK_CAPTURE(trace<Number>, number_two_tori, kTwoTori, "wyvill-trotman");
-LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_NUMBER)
-#undef LAMINA_NUMBER
+template <typename Number>
+void register_trace(const Named& scene, const char* method) {
+  const std::string name = std::string("trace/") + scene.name + "/" +
+                           number::number_traits<Number>::name() + "/" + method;
+  benchmark::RegisterBenchmark(
+      name.c_str(), [=](benchmark::State& state) { trace<Number>(state, scene.scene, method); });
+}
 
 }  // namespace
 }  // namespace lamina
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  using namespace lamina;
+  for (const Named& scene : kScenes) {
+    benchmark::RegisterBenchmark((std::string("exact_truth/") + scene.name).c_str(),
+                                 [=](benchmark::State& state) { exact_truth(state, scene.scene); });
+    for (const char* method : {"roth", "wyvill-sharp", "epsilon:1e-6", "regularized"}) {
+      register_trace<double>(scene, method);
+    }
+#define LAMINA_REGISTER(Number) register_trace<Number>(scene, "wyvill-trotman");
+    LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_REGISTER)
+#undef LAMINA_REGISTER
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

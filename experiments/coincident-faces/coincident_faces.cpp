@@ -25,7 +25,7 @@ Result run(const Settings& settings) {
 Experiment coincident_faces() {
   return {"coincident-faces",
           "What does each method see where two or three solids share faces?",
-          "Wyvill and Trotman 1990, sections 1 to 3", 20'000, {}, run};
+          "Wyvill and Trotman 1990, sections 1 to 3", 12'000, {}, run};
 }
 
 }  // namespace lamina::experiments

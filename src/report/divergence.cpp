@@ -64,7 +64,11 @@ class Search {
     [[nodiscard]] bool contains(std::uint32_t record) const {
       return first <= record && record < last;
     }
+    [[nodiscard]] bool empty() const { return first == last; }
   };
+
+  // Stands for the start of the ray: no events, behind those that are not ahead of it.
+  static Group at_start(std::uint32_t behind) { return {behind, behind}; }
 
   [[nodiscard]] const EventRecord& record(std::uint32_t r) const { return outcome_.records[r]; }
 
@@ -197,6 +201,13 @@ class Search {
     return medium(states) != as_it_is;
   }
 
+  [[nodiscard]] bool single() const {
+    return outcome_.method->grouping == method::Grouping::Single;
+  }
+
+  // Why events of different t are processed at once.
+  [[nodiscard]] Cause at_once() const { return single() ? Cause::LookedAhead : Cause::Merged; }
+
   // ---- Methods that carry states.
 
   [[nodiscard]] Divergence carried_to_start() const {
@@ -204,7 +215,7 @@ class Search {
     while (behind.last < record_count() && !outcome_.ahead(record(behind.last))) {
       behind.last = group_of(behind.last).last;
     }
-    if (const auto found = wrong_state(0, {behind.last, behind.last})) {
+    if (const auto found = wrong_state(0, at_start(behind.last))) {
       return *found;
     }
     return {.cause = Cause::Unknown};
@@ -253,27 +264,41 @@ class Search {
     return wrong_group(cls, r, group);
   }
 
-  // A leaf whose state in front of the group is wrong, and matters.
+  // Why the states in front of the group are wrong, if that matters there: by one leaf that
+  // would do alone, else by the first of several that do it together.
   [[nodiscard]] std::optional<Divergence> wrong_state(int cls, const Group& group) const {
     const std::vector<bool> before = states_before(group.first);
     std::vector<bool> behind = before;
     apply(group, behind);
+    std::vector<bool> due_before = before;
+    std::vector<bool> due_behind = behind;
+    std::vector<csg::LeafIndex> wrong;
     for (csg::LeafIndex leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
-      if (before[leaf] != state_due(leaf, cls, group.first) &&
-          (matters(leaf, before) || matters(leaf, behind))) {
-        if (const auto found = why_wrong(leaf, cls, group)) {
-          return found;
-        }
+      if (before[leaf] != state_due(leaf, cls, group)) {
+        wrong.push_back(leaf);
+        due_before[leaf].flip();
+        due_behind[leaf].flip();
+      }
+    }
+    if (medium(before) == medium(due_before) && medium(behind) == medium(due_behind)) {
+      return std::nullopt;
+    }
+    std::stable_partition(wrong.begin(), wrong.end(), [&](csg::LeafIndex leaf) {
+      return matters(leaf, before) || matters(leaf, behind);
+    });
+    for (const csg::LeafIndex leaf : wrong) {
+      if (const auto found = why_wrong(leaf, cls, group)) {
+        return found;
       }
     }
     return std::nullopt;
   }
 
   // The true state in front of the class or, where the leaf's own event in it was processed
-  // before `r`, behind it.
-  [[nodiscard]] bool state_due(csg::LeafIndex leaf, int cls, std::uint32_t r) const {
+  // before the group, behind it.
+  [[nodiscard]] bool state_due(csg::LeafIndex leaf, int cls, const Group& group) const {
     for (const TruthCrossing& crossing : truth_.crossings_of(leaf)) {
-      if (crossing.cls == cls && event_of(crossing) < r) {
+      if (crossing.cls == cls && event_of(crossing) < group.first && !group.empty()) {
         return crossing.enters;
       }
     }
@@ -301,11 +326,11 @@ class Search {
         if (const auto fault = fault_of(r)) {
           return fault;
         }
-        if (class_of(r) > cls && group.first < group.last) {
-          return at_record(Cause::Swapped, r, group.first);
+        if (class_of(r) >= cls && group.empty()) {  // at once with what is behind the start
+          return at_record(at_once(), r, group_of(r).first);
         }
-        if (class_of(r) >= cls) {  // at the start: its group begins behind it
-          return at_record(Cause::Merged, r, group_of(r).first);
+        if (class_of(r) > cls) {
+          return at_record(Cause::Swapped, r, group.first);
         }
       }
     }
@@ -335,9 +360,7 @@ class Search {
         return at_record(Cause::RootInvented, i);
       }
       if (class_of(i) != cls) {
-        const bool looked_ahead = outcome_.method->grouping == method::Grouping::Single;
-        return at_record(looked_ahead ? Cause::LookedAhead : Cause::Merged, std::max(i, r),
-                         std::min(i, r));
+        return at_record(at_once(), std::max(i, r), std::min(i, r));
       }
     }
     for (std::uint32_t i = of_class.front(); i < of_class.back(); ++i) {
@@ -346,16 +369,31 @@ class Search {
       }
     }
     if (!group.contains(of_class.front()) || !group.contains(of_class.back())) {
-      const bool single = outcome_.method->grouping == method::Grouping::Single;
-      const auto outside = std::find_if(of_class.begin(), of_class.end(), [&](std::uint32_t e) {
-        return group_of(e).first != group_of(of_class.front()).first;
-      });
-      return at_record(single ? Cause::OneAtATime : Cause::Split, *outside, *(outside - 1));
+      return taken_apart(of_class, truth.effect.transition.from);
     }
     if (outcome_.reported(record(r)) != nullptr) {
       return at_record(Cause::NotOwner, r);
     }
     return {.cause = Cause::Unknown, .record = r};
+  }
+
+  // The events of one class are in several groups: between which the medium is wrong.
+  [[nodiscard]] Divergence taken_apart(const std::vector<std::uint32_t>& events,
+                                       csg::Medium from) const {
+    std::optional<Divergence> first;
+    for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+      const Group group = group_of(events[i]);
+      if (group.contains(events[i + 1])) {
+        continue;
+      }
+      const Divergence here =
+          at_record(single() ? Cause::OneAtATime : Cause::Split, events[i], events[i + 1]);
+      if (record(group.last - 1).medium != from) {
+        return here;
+      }
+      first = first.value_or(here);
+    }
+    return *first;
   }
 
   // ---- Methods that test points.
@@ -387,22 +425,29 @@ class Search {
     before[own] = !record(r).enters;
     std::vector<bool> behind = before;
     behind[own] = record(r).enters;
-    const auto at_fault = [&](csg::LeafIndex leaf) {
-      return leaf != own && (matters(leaf, before) || matters(leaf, behind));
-    };
+    std::vector<csg::LeafIndex> suspects;  // tested wrong, then crossed at the same t
     for (csg::LeafIndex leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
-      const bool true_before = true_state(leaf, cls);
-      const bool crossed_here = true_before != true_state(leaf, cls + 1);
-      if (!crossed_here && before[leaf] != true_before && at_fault(leaf)) {
-        return {.cause = Cause::InsideTest, .record = r, .leaf = leaf};
+      const bool in_truth = true_state(leaf, cls);
+      if (in_truth == true_state(leaf, cls + 1) && before[leaf] != in_truth) {
+        suspects.push_back(leaf);
       }
     }
     for (const csg::LeafIndex leaf : truth_.classes()[cls].leaves) {
-      if (at_fault(leaf)) {
-        return {.cause = Cause::InsideTest, .record = r, .leaf = leaf};
+      if (leaf != own) {
+        suspects.push_back(leaf);
       }
     }
-    return at_record(outcome_.reported(record(r)) != nullptr ? Cause::NotOwner : Cause::Unknown, r);
+    if (suspects.empty()) {
+      const bool seen = outcome_.reported(record(r)) != nullptr;
+      return at_record(seen ? Cause::NotOwner : Cause::Unknown, r);
+    }
+    // One that would do alone; else several do it together.
+    const auto culprit = std::find_if(suspects.begin(), suspects.end(), [&](csg::LeafIndex leaf) {
+      return matters(leaf, before) || matters(leaf, behind);
+    });
+    return {.cause = Cause::InsideTest,
+            .record = r,
+            .leaf = culprit == suspects.end() ? suspects.front() : *culprit};
   }
 
   // ---- All interfaces are right, one by one.

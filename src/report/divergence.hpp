@@ -21,8 +21,8 @@ struct Divergence {
     WrongSense,    ///< `record` enters what it leaves, or the other way round
     Rejected,      ///< `record` failed the validity check
     Swapped,       ///< `record` comes before `other`, in truth behind it
-    Split,         ///< `other` and `record` are at the same t in truth, not here
-    OneAtATime,    ///< `other` and `record` are at the same t, and processed one by one
+    Split,         ///< `record` and `other` are at the same t in truth, not here
+    OneAtATime,    ///< `record` and `other` are at the same t, and processed one by one
     Merged,        ///< `other` and `record` are processed at once, in truth one is later
     LookedAhead,   ///< `record` is crossed with `other` since its point has passed it
     InsideTest,    ///< at the point of `record`, or at the start, `leaf` is not as tested

@@ -54,21 +54,25 @@ class Phrases {
         return format(
             "{} and {} are crossed at exactly the same t; in {} they are at t = {} and {}, {}: "
             "between them the medium is {}.",
-            name(other), leaf, number(), t(other), t(r),
+            leaf, name(other), number(), t(r), t(other),
             within_epsilon() ? "farther apart than epsilon" : "and so are not processed at once",
-            medium_behind(r - 1));
+            medium_behind_group(r));
       case Cause::OneAtATime:
         return format(
             "{} and {} are crossed at exactly the same t, but are processed one at a time: behind "
             "{} alone the medium is {}.",
-            name(other), leaf, name(other), medium_behind(r - 1));
-      case Cause::Merged:
+            leaf, name(other), leaf, medium_behind_group(r));
+      case Cause::Merged: {
+        const bool in_order = exact_of(other) < exact_of(r);
+        const std::uint32_t first = in_order ? other : r;
+        const std::uint32_t second = in_order ? r : other;
         return format(
-            "In truth {} and {} are crossed at t = {} and {}, one after the other; {}.",
-            name(other), leaf, exact_t(exact_of(other)), exact_t(exact_of(r)),
+            "In truth {} and {} are crossed one after the other, at t = {} and {}; {}.",
+            name(first), name(second), exact_t(exact_of(first)), exact_t(exact_of(second)),
             within_epsilon()
                 ? "that is within epsilon, and so they are processed at once"
                 : format("in {} both are at t = {}, and so are processed at once", number(), t(r)));
+      }
       case Cause::LookedAhead:
         return format(
             "The look-ahead (W&T 3.6) crosses {} together with {}: the inside test says that the "
@@ -132,7 +136,10 @@ class Phrases {
   [[nodiscard]] bool within_epsilon() const {
     return outcome_.method->grouping == method::Grouping::WithinEpsilon;
   }
-  [[nodiscard]] std::string medium_behind(std::uint32_t r) const {
+  [[nodiscard]] std::string medium_behind_group(std::uint32_t r) const {
+    while (r + 1 < outcome_.records.size() && record(r + 1).group == record(r).group) {
+      ++r;
+    }
     return medium_name(*outcome_.scene, record(r).medium);
   }
 
@@ -161,11 +168,14 @@ class Phrases {
         "{} and {} are crossed at exactly the same t, but the inside test finds {} of {} {} {}",
         own, tested, point, own, in(inside), tested);
     if (const method::EventRecord* back = *coincident) {
-      text += format(", and that of {} {} {}: {}", tested,
+      const bool reported = outcome_.reported(event) != nullptr;
+      const bool reported_back = outcome_.reported(*back) != nullptr;
+      text += format(", and that of {} {} {}: {} reported", tested,
                      in(tracer.inside_at(outcome_.leaf_of(event), back->crossing)), own,
-                     outcome_.reported(event) == nullptr && outcome_.reported(*back) == nullptr
-                         ? "neither is reported"
-                         : "they are taken for two surfaces");
+                     reported && reported_back ? "both are"
+                     : reported                ? format("only {} is", own)
+                     : reported_back           ? format("only {} is", tested)
+                                               : "neither is");
     }
     return text + ".";
   }

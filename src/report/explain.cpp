@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -82,9 +83,9 @@ std::set<csg::LeafIndex> leaves_that_matter(const Truth& truth,
 }
 
 std::string heading(const scene::Scene& scene, const geometry::ExactRay& ray, const Truth& truth) {
-  std::string text = paragraph(format("{}: {} leaves on {} carriers", scene.name,
-                                      scene.leaves.size(), scene.carriers.size()),
-                               "Scene", 7);
+  std::string text = paragraph(
+      format("{} (leaves {}, carriers {})", scene.name, scene.leaves.size(), scene.carriers.size()),
+      "Scene", 7);
   text += paragraph(format("--ray \"{}\"", ray_text(ray)), "Ray", 7);
   text +=
       paragraph(truth.start() == csg::kEmpty ? "in empty space"
@@ -117,6 +118,22 @@ std::string events_and_cause(const Explained& explained, const Legend& legend) {
   return text;
 }
 
+// Do two outcomes see the same things, and go wrong first by the same cause? Harmless swaps
+// of other events make no difference.
+bool same_way(const Explained& a, const Explained& b) {
+  const auto seen = [](const Outcome& outcome) {
+    std::vector<std::array<std::uint32_t, 3>> interfaces;
+    for (const method::Interface& i : outcome.report.interfaces) {
+      interfaces.push_back(
+          {outcome.lane->tracer->crossings()[i.crossing].leaf, i.transition.from, i.transition.to});
+    }
+    return interfaces;
+  };
+  return a.divergence.cause == b.divergence.cause && a.divergence.leaf == b.divergence.leaf &&
+         a.outcome.verdict.count == b.outcome.verdict.count &&
+         a.outcome.report.start == b.outcome.report.start && seen(a.outcome) == seen(b.outcome);
+}
+
 // Outcomes that are right, then each way of being wrong, in the order of the first of each.
 std::string outcomes_text(const std::vector<Explained>& explained, const Legend& legend,
                           std::size_t number_count) {
@@ -125,33 +142,26 @@ std::string outcomes_text(const std::vector<Explained>& explained, const Legend&
     return format("\n{} in {}: {}\n{}", only.method->name, only.lane->number->name,
                   verdict_text(only.verdict), events_and_cause(explained.front(), legend));
   }
-  struct Group {
-    std::string pattern;
-    std::vector<const Explained*> members;
-  };
   std::vector<const Explained*> right;
-  std::vector<Group> wrong;
+  std::vector<std::vector<const Explained*>> wrong;
   for (const Explained& each : explained) {
     if (each.outcome.verdict.right()) {
       right.push_back(&each);
       continue;
     }
-    const std::string pattern = pattern_of(each.outcome, each.divergence, legend);
-    const auto known = std::find_if(wrong.begin(), wrong.end(), [&pattern](const Group& group) {
-      return group.pattern == pattern;
+    const auto known = std::find_if(wrong.begin(), wrong.end(), [&each](const auto& group) {
+      return same_way(*group.front(), each);
     });
-    (known == wrong.end() ? wrong.emplace_back(Group{pattern, {}}) : *known)
-        .members.push_back(&each);
+    (known == wrong.end() ? wrong.emplace_back() : *known).push_back(&each);
   }
   std::string text;
   if (!right.empty()) {
     text += "\nRight\n" + combinations(right, number_count);
   }
-  for (const Group& group : wrong) {
-    const Explained& first = *group.members.front();
-    text += "\n" + paragraph(verdict_text(first.outcome.verdict), "Wrong:", 7);
-    text += combinations(group.members, number_count);
-    text += events_and_cause(first, legend);
+  for (const auto& group : wrong) {
+    text += "\n" + paragraph(verdict_text(group.front()->outcome.verdict), "Wrong:", 7);
+    text += combinations(group, number_count);
+    text += events_and_cause(*group.front(), legend);
   }
   return text;
 }

@@ -51,7 +51,12 @@ std::string Legend::text() const {
 }
 
 std::string medium_name(const scene::Scene& scene, csg::Medium medium) {
-  return medium == csg::kEmpty ? "empty" : shortened(scene.materials[medium].name, kMediumWidth);
+  if (medium == csg::kEmpty) {
+    return "empty";
+  }
+  std::string name = scene.materials[medium].name;
+  std::erase(name, ' ');  // colours are named `[0, 0, 1, 1]`
+  return shortened(name, kMediumWidth);
 }
 
 }  // namespace lamina::report

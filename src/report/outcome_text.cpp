@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "report/page.hpp"
@@ -18,19 +19,15 @@ using method::EventRecord;
 // The events of one outcome as rows of a table.
 class Events {
  public:
-  Events(const Outcome& outcome, const Divergence& divergence, const Legend& legend,
-         bool with_numbers)
-      : outcome_(outcome), divergence_(divergence), legend_(legend), with_numbers_(with_numbers) {
+  Events(const Outcome& outcome, const Divergence& divergence, const Legend& legend)
+      : outcome_(outcome), divergence_(divergence), legend_(legend) {
     collect();
   }
 
   [[nodiscard]] std::string text() const {
     Columns columns;
     const std::string t = format("t in {}", outcome_.lane->number->name);
-    columns.add(cells("", with_numbers_ ? t : "", "", "ulps off", "event", "inside", "medium", ""));
-    columns.add(cells("", "start", "", "", "", start_states_,
-                      medium_name(*outcome_.scene, outcome_.report.start),
-                      behind_ == 0 ? "" : format("{} events at t <= 0", behind_)));
+    columns.add(cells("", t, "", "ulps off", "event", "inside", "medium", ""));
     const auto [first, last] = window();
     note_left_out(columns, first);
     for (std::size_t i = first; i < last; ++i) {
@@ -41,11 +38,13 @@ class Events {
   }
 
  private:
-  // An event, an exact crossing that was not found, or events of leaves that are not shown.
+  // An event, an exact crossing that was not found, events of leaves that are not shown, or
+  // the start of the ray.
   struct Row {
     std::uint32_t record = kNoCrossing;
     std::uint32_t missing = kNoCrossing;
     std::size_t others = 0;
+    bool start = false;
     std::string states{};
   };
 
@@ -54,22 +53,34 @@ class Events {
     for (const csg::LeafIndex leaf : legend_.leaves()) {
       states.push_back(outcome_.first_state(leaf));
     }
-    start_states_ = states_text(states);
-    std::vector<std::uint32_t> missing = missing_crossings();
-    for (std::uint32_t r = 0; r < outcome_.records.size(); ++r) {
-      const EventRecord& record = outcome_.records[r];
-      const double t = outcome_.lane->tracer->t(record.crossing);
-      while (!missing.empty() && exact_t(missing.front()) < t) {
-        rows_.push_back({.missing = missing.front(), .states = states_text(states)});
-        missing.erase(missing.begin());
+    const auto& records = outcome_.records;
+    const bool list_behind = shows_behind();
+    std::vector<std::uint32_t> missing = missing_crossings(list_behind);
+    const auto add_missing_before = [&](double t) {
+      const auto end = std::find_if(missing.begin(), missing.end(),
+                                    [&](std::uint32_t crossing) { return exact_t(crossing) >= t; });
+      for (auto crossing = missing.begin(); crossing != end; ++crossing) {
+        rows_.push_back({.missing = *crossing, .states = states_text(states)});
+      }
+      missing.erase(missing.begin(), end);
+    };
+    const auto add_start = [&] {
+      add_missing_before(0);
+      rows_.push_back({.start = true, .states = states_text(states)});
+    };
+    for (std::uint32_t r = 0; r < records.size(); ++r) {
+      if (outcome_.ahead(records[r]) && (r == 0 || !outcome_.ahead(records[r - 1]))) {
+        add_start();
       }
       for (std::size_t i = 0; i < states.size(); ++i) {
-        states[i] = outcome_.state_behind(record, legend_.leaves()[i], states[i]);
+        states[i] = outcome_.state_behind(records[r], legend_.leaves()[i], states[i]);
       }
-      if (!listed(r)) {
-        start_states_ = states_text(states);
-        ++behind_;
-      } else if (legend_.shows(outcome_.leaf_of(record))) {
+      if (!outcome_.ahead(records[r]) && !list_behind) {
+        ++left_out_;
+        continue;
+      }
+      add_missing_before(outcome_.lane->tracer->t(records[r].crossing));
+      if (legend_.shows(outcome_.leaf_of(records[r]))) {
         rows_.push_back({.record = r, .states = states_text(states)});
       } else if (!rows_.empty() && rows_.back().others > 0) {
         ++rows_.back().others;
@@ -77,15 +88,13 @@ class Events {
         rows_.push_back({.others = 1});
       }
     }
-    for (const std::uint32_t crossing : missing) {
-      rows_.push_back({.missing = crossing, .states = states_text(states)});
+    if (records.empty() || !outcome_.ahead(records.back())) {
+      add_start();
     }
+    add_missing_before(std::numeric_limits<double>::infinity());
   }
 
   // Events behind the start are listed where the divergence is one of them.
-  [[nodiscard]] bool listed(std::uint32_t r) const {
-    return outcome_.ahead(outcome_.records[r]) || shows_behind();
-  }
   [[nodiscard]] bool shows_behind() const {
     for (const std::uint32_t r : {divergence_.record, divergence_.other}) {
       if (r != Divergence::kNone && !outcome_.ahead(outcome_.records[r])) {
@@ -95,12 +104,12 @@ class Events {
     return divergence_.exact != Divergence::kNone && exact_t(divergence_.exact) <= 0;
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> missing_crossings() const {
+  [[nodiscard]] std::vector<std::uint32_t> missing_crossings(bool list_behind) const {
     std::vector<std::uint32_t> missing;
     const auto& matches = outcome_.lane->judge.matches();
     for (std::uint32_t i = 0; i < matches.size(); ++i) {
       if (matches[i] == kNoCrossing && legend_.shows(outcome_.truth->crossings()[i].leaf) &&
-          (exact_t(i) > 0 || shows_behind())) {
+          (exact_t(i) > 0 || list_behind)) {
         missing.push_back(i);
       }
     }
@@ -127,8 +136,8 @@ class Events {
 
   // Rows to show: all, or those around the arrow.
   [[nodiscard]] std::pair<std::size_t, std::size_t> window() const {
-    constexpr std::size_t kMost = 32;
-    constexpr std::size_t kAround = 10;
+    constexpr std::size_t kMost = 24;
+    constexpr std::size_t kAround = 8;
     if (rows_.size() <= kMost) {
       return {0, rows_.size()};
     }
@@ -141,7 +150,7 @@ class Events {
 
   void note_left_out(Columns& columns, std::size_t count) const {
     if (count > 0) {
-      columns.add(cells("", "..", "", "", "", "", "", format("{} more rows", count)));
+      columns.add(cells("", "..", "", "", "", "", "", counted(count, "more row")));
     }
   }
 
@@ -151,7 +160,7 @@ class Events {
                                                std::string states, std::string medium,
                                                std::string remark) const {
     std::vector<std::string> row{std::move(arrow), std::move(t), std::move(group)};
-    if (outcome_.lane->number->significand_bits > 0 && with_numbers_) {
+    if (outcome_.lane->number->significand_bits > 0) {
       row.push_back(std::move(ulps));
     }
     row.push_back(std::move(event));
@@ -174,24 +183,28 @@ class Events {
                         row.states, medium_name(*outcome_.scene, record.medium), remark(record)));
     } else if (row.missing != kNoCrossing) {
       const auto& crossing = outcome_.truth->crossings()[row.missing];
-      columns.add(cells(arrow, with_numbers_ ? shortest_text(exact_t(row.missing), 0) : "", "", "",
+      columns.add(cells(arrow, shortest_text(exact_t(row.missing), 0), "", "",
                         format("{} ({})", legend_.name(crossing.leaf),
                                crossing.enters_by_parity ? "enters" : "leaves"),
                         row.states, "", "root not found"));
+    } else if (row.start) {
+      columns.add(cells("", "start", "", "", "", row.states,
+                        medium_name(*outcome_.scene, outcome_.report.start),
+                        left_out_ == 0 ? "" : format("{} at t <= 0", counted(left_out_, "event"))));
     } else {
-      columns.add(cells("", "..", "", "", "", "", "", format("{} of other leaves", row.others)));
+      columns.add(cells("", "..", "", "", "", "", "",
+                        format("{} of other leaves", counted(row.others, "event"))));
     }
   }
 
   [[nodiscard]] std::string t_text(const EventRecord& record) const {
-    return with_numbers_ ? shortest_text(outcome_.lane->tracer->t(record.crossing),
-                                         outcome_.lane->number->significand_bits)
-                         : "";
+    return shortest_text(outcome_.lane->tracer->t(record.crossing),
+                         outcome_.lane->number->significand_bits);
   }
 
   [[nodiscard]] std::string ulps_text(const EventRecord& record) const {
     const std::uint32_t exact = outcome_.exact_of(record);
-    if (!with_numbers_ || exact == kNoCrossing || outcome_.lane->number->significand_bits == 0) {
+    if (exact == kNoCrossing || outcome_.lane->number->significand_bits == 0) {
       return "";
     }
     const number::Root& truth = outcome_.truth->crossings()[exact].t;
@@ -231,9 +244,7 @@ class Events {
   const Outcome& outcome_;
   const Divergence& divergence_;
   const Legend& legend_;
-  bool with_numbers_;
-  std::string start_states_;
-  std::size_t behind_ = 0;  // events before the first that is listed
+  std::size_t left_out_ = 0;  // events behind the start
   std::vector<Row> rows_;
 };
 
@@ -255,12 +266,7 @@ std::string verdict_text(const census::Verdict& verdict) {
 
 std::string events_text(const Outcome& outcome, const Divergence& divergence,
                         const Legend& legend) {
-  return Events(outcome, divergence, legend, true).text();
-}
-
-std::string pattern_of(const Outcome& outcome, const Divergence& divergence, const Legend& legend) {
-  return format("{} {} {}", static_cast<int>(divergence.cause), verdict_text(outcome.verdict),
-                Events(outcome, divergence, legend, false).text());
+  return Events(outcome, divergence, legend).text();
 }
 
 }  // namespace lamina::report

@@ -18,7 +18,4 @@ std::string verdict_text(const census::Verdict& verdict);
 /// arrow marks the divergence. Long lists are cut down to what is around it.
 std::string events_text(const Outcome& outcome, const Divergence& divergence, const Legend& legend);
 
-/// The same without numbers: equal for outcomes that differ in rounding only.
-std::string pattern_of(const Outcome& outcome, const Divergence& divergence, const Legend& legend);
-
 }  // namespace lamina::report

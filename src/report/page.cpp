@@ -69,6 +69,10 @@ std::string shortened(std::string_view text, std::size_t width) {
                      text.substr(offset_of(text, length - (kept - head))));
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string paragraph(std::string_view text, std::string_view first, std::size_t indent) {
   std::string result;
   for (const std::string& line : broken(text, kPageWidth - indent)) {
@@ -108,16 +112,15 @@ std::string shortest_text(double value, int significand_bits) {
       value == 0) {
     return fmt::format("{}", value);
   }
-  for (int digits = 1;; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
-    const auto rounded =
-        number::detail::round_to_bits(number::parse_rational(text), significand_bits);
+  for (int digits = 1; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+    const number::Rational decimal = number::parse_rational(fmt::format("{:.{}g}", value, digits));
+    const auto rounded = number::detail::round_to_bits(decimal, significand_bits);
     if (number::detail::scale_by_power_of_two(rounded.mantissa, rounded.exponent) ==
-            number::Rational(value) ||
-        digits == std::numeric_limits<double>::max_digits10) {
-      return text;
+        number::Rational(value)) {
+      return fmt::format("{}", number::nearest_double(decimal));
     }
   }
+  return fmt::format("{}", value);
 }
 
 }  // namespace lamina::report

@@ -16,6 +16,9 @@ std::size_t width_of(std::string_view text);
 /// The text, or its begin and end with `..` between where it is wider than `width`.
 std::string shortened(std::string_view text, std::size_t width);
 
+/// `1 event`, `2 events`.
+std::string counted(std::size_t count, std::string_view noun);
+
 /// Lines that end in newlines, broken between words, each indented; `first` stands before the
 /// first in place of the indent.
 std::string paragraph(std::string_view text, std::string_view first, std::size_t indent);

@@ -32,7 +32,7 @@ std::string effect(const scene::Scene& scene, const TruthClass& cls, const Legen
                   medium_name(scene, does.transition.to), names(does.owners, legend));
   }
   if (does.lamina) {
-    return "lamina: all at once change nothing, one by one they would";
+    return "lamina of no thickness: nothing changes";
   }
   return cls.leaves.size() > 1 ? "nothing changes" : "";
 }
@@ -63,7 +63,7 @@ void add_class(const scene::Scene& scene, const Truth& truth, const TruthClass& 
     const bool last = i + 1 == events.size();
     std::string remark = last ? effect(scene, cls, legend) : "";
     if (last && events.size() < cls.leaves.size()) {
-      remark += format(" (with {} more leaves)", cls.leaves.size() - events.size());
+      remark += format(" (with {})", counted(cls.leaves.size() - events.size(), "more event"));
     }
     if (last && same_double) {
       remark +=
@@ -82,14 +82,14 @@ std::string events_text(const scene::Scene& scene, const Truth& truth, const Leg
   std::size_t skipped = 0;
   const auto note_skipped = [&] {
     if (skipped > 0) {
-      columns.add({"..", "", "", "", format("{} that change nothing", skipped)});
+      columns.add({"..", "", "", "", format("{}: nothing changes", counted(skipped, "event"))});
     }
     skipped = 0;
   };
   const TruthClass* previous = nullptr;
   for (const TruthClass& cls : truth.classes()) {
     if (!shown(cls, legend)) {
-      ++skipped;
+      skipped += cls.leaves.size();
     } else {
       note_skipped();
       const bool same_double =
@@ -145,12 +145,10 @@ std::string truth_text(const scene::Scene& scene, const geometry::ExactRay& ray,
   text += events_text(scene, truth, legend);
   text += remarks(scene, ray, legend);
   const auto crossings = truth.crossings();
-  const auto behind = std::count_if(crossings.begin(), crossings.end(), [](const auto& crossing) {
-    return compare(crossing.t, number::Rational(0)) <= 0;
-  });
+  const std::size_t behind =
+      truth.classes().empty() ? crossings.size() : truth.classes().front().first_crossing;
   if (behind > 0) {
-    text +=
-        format("  Behind the start, at t <= 0: {} {}.\n", behind, behind == 1 ? "event" : "events");
+    text += format("  Behind the start, at t <= 0: {}.\n", counted(behind, "event"));
   }
   return text;
 }

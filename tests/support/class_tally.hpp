@@ -29,6 +29,11 @@ class ClassTally {
     found->second += reached ? 1 : 0;
   }
 
+  [[nodiscard]] std::uint64_t count(std::string_view name) const {
+    const auto found = counts_.find(name);
+    return found == counts_.end() ? 0 : found->second;
+  }
+
   [[nodiscard]] bool each_at_least(std::uint64_t least) const {
     for (const auto& [name, count] : counts_) {
       if (count < least) {
