@@ -25,7 +25,10 @@ bool Legend::shows(csg::LeafIndex leaf) const {
 }
 
 std::string Legend::name(csg::LeafIndex leaf) const {
-  if (!has_letters() || !shows(leaf)) {
+  if (!shows(leaf)) {
+    return fmt::format("#{} ({})", leaf, shortened(scene_.leaves[leaf].path, kPathWidth));
+  }
+  if (!has_letters()) {
     return fmt::format("#{}", leaf);
   }
   const auto place = std::lower_bound(shown_.begin(), shown_.end(), leaf) - shown_.begin();

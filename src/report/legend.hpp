@@ -20,7 +20,7 @@ class Legend {
   [[nodiscard]] const std::vector<csg::LeafIndex>& leaves() const { return shown_; }
   [[nodiscard]] bool shows(csg::LeafIndex leaf) const;
   [[nodiscard]] bool has_letters() const { return shown_.size() <= kLetters; }
-  /// `B`, or `#12` where there are too many leaves or this one is not shown.
+  /// `B`, or `#12` where there are too many leaves; with its path where it is not shown.
   [[nodiscard]] std::string name(csg::LeafIndex leaf) const;
 
   /// A row for each leaf: name, index, path, material, and what it shares its carrier with.

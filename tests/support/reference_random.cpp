@@ -51,8 +51,9 @@ Chain detour(SeededStream& stream) {
       return {{Step::Kind::Scale, v}, {Step::Kind::Scale, {1 / v[0], 1 / v[1], 1 / v[2]}}};
     case 2: {
       const auto q = random_quaternion(stream);
-      return {{Step::Kind::Rotate, q},
-              {Step::Kind::Rotate, {factor * q[0], -factor * q[1], -factor * q[2], -factor * q[3]}}};
+      return {
+          {Step::Kind::Rotate, q},
+          {Step::Kind::Rotate, {factor * q[0], -factor * q[1], -factor * q[2], -factor * q[3]}}};
     }
     case 3: {
       const auto n = random_normal(stream);
@@ -105,8 +106,7 @@ class Lattice {
         node.primitive = cylinder();
         break;
       case 5:
-        node.primitive = {Primitive::Kind::Sphere, {at(1, 2)}};
-        break;
+        return sphere();
       case 6:
         node.primitive = half_space();
         break;
@@ -114,6 +114,13 @@ class Lattice {
         node.primitive = quadric();
         break;
     }
+    return node;
+  }
+
+  Node sphere() {
+    Node node;
+    node.chain.push_back(translate({at(0, 2), at(0, 2), at(0, 2)}));
+    node.primitive = {Primitive::Kind::Sphere, {at(1, 2)}};
     return node;
   }
 
@@ -127,12 +134,18 @@ class Lattice {
     return node;
   }
 
-  // The same half-spaces, written in another way.
+  // The same half-spaces, written in another way, or others that touch them.
   Node again(const Node& node) {
+    if ((node.primitive.kind == Primitive::Kind::Sphere ||
+         node.primitive.kind == Primitive::Kind::Cylinder) &&
+        stream_.chance(0.4)) {
+      return companion(node);
+    }
     Node other = node;
     Primitive& primitive = other.primitive;
     append(other.chain, symmetry(stream_, primitive));
-    if (primitive.kind == Primitive::Kind::HalfSpace || primitive.kind == Primitive::Kind::Quadric) {
+    if (primitive.kind == Primitive::Kind::HalfSpace ||
+        primitive.kind == Primitive::Kind::Quadric) {
       const Rational factor = random_positive(stream_);
       // The complement shares the surface too.
       const Rational sign = stream_.chance(0.3) ? -1 : 1;
@@ -146,6 +159,21 @@ class Lattice {
       add_square(primitive, 1, {0, 1, 0, 0});
       add_square(primitive, 1, {0, 0, 1, 0});
       add_square(primitive, -r * r, {0, 0, 0, 1});
+    }
+    return other;
+  }
+
+  // Another surface that touches that of a sphere or a cylinder all along a circle.
+  Node companion(const Node& node) {
+    Node other = node;
+    const auto& n = node.primitive.numbers;
+    if (node.primitive.kind == Primitive::Kind::Sphere) {
+      append(other.chain, axis());
+      other.primitive = {Primitive::Kind::Cylinder, {4 * n[0], n[0], n[0]}, true};
+    } else {
+      const Rational low = node.primitive.center ? Rational(-n[0] / 2) : Rational(0);
+      other.chain.push_back(translate({0, 0, low}));
+      other.primitive = {Primitive::Kind::Sphere, {std::max(n[1], n[2])}};
     }
     return other;
   }
@@ -168,10 +196,10 @@ class Lattice {
   Primitive box() {
     const bool center = stream_.chance(0.3);
     const Rational unit = center ? 2 * step_ : step_;
-    return {Primitive::Kind::Box,
-            {unit * stream_.integer(1, 2), unit * stream_.integer(1, 2),
-             unit * stream_.integer(1, 2)},
-            center};
+    return {
+        Primitive::Kind::Box,
+        {unit * stream_.integer(1, 2), unit * stream_.integer(1, 2), unit * stream_.integer(1, 2)},
+        center};
   }
 
   Primitive cylinder() {
@@ -261,7 +289,7 @@ class Lattice {
 // A vertex of the lattice, or a point of an edge, a face, a cell or a circle.
 Vector special_point(SeededStream& stream, const Rational& step) {
   Vector point;
-  const std::uint64_t free = stream.below(5);
+  const std::uint64_t free = stream.below(5);  // coordinates off the lattice; 4: on a circle
   for (std::size_t i = 0; i < 3; ++i) {
     const bool off = i < free && free < 4;
     point[i] = off ? Rational(stream.integer(0, 24)) / 8 : Rational(stream.integer(0, 3));
@@ -277,6 +305,21 @@ Vector special_point(SeededStream& stream, const Rational& step) {
     coordinate *= step;
   }
   return point;
+}
+
+// In the plane z = 0 of some solid's own coordinates: through the middle of those that have
+// one, where surfaces touch along circles.
+Ray middle_ray(SeededStream& stream, const RandomScene& scene) {
+  const Node* solid = &scene.root;
+  while (!solid->is_solid()) {
+    solid = &solid->operands[stream.below(solid->operands.size())];
+  }
+  Ray ray;
+  for (std::size_t i = 0; i < 2; ++i) {
+    ray.origin[i] = scene.step * stream.integer(-12, 12) / 4;
+    ray.direction[i] = scene.step * stream.integer(1, 9) / 4;
+  }
+  return mapped(solid->chain, ray);
 }
 
 Vector random_direction(SeededStream& stream, const Vector& from, const Rational& step) {
@@ -303,9 +346,9 @@ Node random_tree(SeededStream& stream, const std::vector<Node>& solids) {
     // The first operand leaves something to the others.
     const std::size_t most = solids.size() - first - (first == 0 ? 1 : 0);
     const std::size_t last = first + 1 + stream.below(most);
-    node.operands.push_back(random_tree(
-        stream, std::vector<Node>(solids.begin() + static_cast<std::ptrdiff_t>(first),
-                                  solids.begin() + static_cast<std::ptrdiff_t>(last))));
+    node.operands.push_back(
+        random_tree(stream, std::vector<Node>(solids.begin() + static_cast<std::ptrdiff_t>(first),
+                                              solids.begin() + static_cast<std::ptrdiff_t>(last))));
     first = last;
   }
   return node;
@@ -336,9 +379,12 @@ RandomScene random_scene(SeededStream& stream, const SceneChoices& choices) {
   const std::size_t count = 2 + stream.below(3);
   std::vector<Node> solids;
   while (solids.size() < count) {
-    Node solid = choices.tori && solids.empty()                ? lattice.torus()
-                 : !solids.empty() && stream.chance(0.3)       ? lattice.again(solids.back())
-                                                               : lattice.solid();
+    const bool first = solids.empty();
+    Node solid = choices.touching && first                ? lattice.sphere()
+                 : choices.touching && solids.size() == 1 ? lattice.companion(solids.back())
+                 : choices.tori && first                  ? lattice.torus()
+                 : !first && stream.chance(0.3)           ? lattice.again(solids.back())
+                                                          : lattice.solid();
     solid.material = choices.one_material ? 1 : static_cast<Medium>(stream.integer(1, 3));
     solids.push_back(std::move(solid));
   }
@@ -377,6 +423,9 @@ Ray float_ray(SeededStream& stream, const RandomScene& scene) {
 }
 
 Ray special_ray(SeededStream& stream, const RandomScene& scene) {
+  if (stream.chance(0.2)) {
+    return middle_ray(stream, scene);
+  }
   Ray ray;
   ray.origin = special_point(stream, scene.step);
   ray.direction = random_direction(stream, ray.origin, scene.step);
@@ -391,7 +440,8 @@ Ray special_ray(SeededStream& stream, const RandomScene& scene) {
 }
 
 Ray mapped(const Chain& chain, const Ray& ray) {
-  return {to_world(chain, ray.origin, Kind::Point), to_world(chain, ray.direction, Kind::Direction)};
+  return {to_world(chain, ray.origin, Kind::Point),
+          to_world(chain, ray.direction, Kind::Direction)};
 }
 
 }  // namespace lamina::reference

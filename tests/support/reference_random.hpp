@@ -20,6 +20,7 @@ struct RandomScene {
 struct SceneChoices {
   bool tori = false;
   bool one_material = false;
+  bool touching = false;  ///< among the solids are a sphere and a cylinder that touch in a circle
 };
 RandomScene random_scene(base::SeededStream& stream, const SceneChoices& choices);
 
@@ -33,7 +34,8 @@ Chain random_frame(base::SeededStream& stream);
 Ray float_ray(base::SeededStream& stream, const RandomScene& scene);
 
 /// A rational ray through a vertex, an edge or a point of the lattice or of one of its
-/// circles: along a line of the lattice, or to another such point.
+/// circles: along a line of the lattice, or to another such point; or one through the middle
+/// of a solid.
 Ray special_ray(base::SeededStream& stream, const RandomScene& scene);
 
 /// The same ray after a map of the world.

@@ -173,8 +173,7 @@ Membership membership(const Node& node, const Vector& point) {
   Membership result;
   if (node.is_solid()) {
     bool inside = true;
-    const auto faces =
-        faces_at<Rational>(node.primitive, to_local(node.chain, point, Kind::Point));
+    const auto faces = faces_at<Rational>(node.primitive, to_local(node.chain, point, Kind::Point));
     for (std::size_t i = 0; i < faces.size(); ++i) {
       inside = inside && (faces[i] == 0 ? is_cut(node.primitive, i) : faces[i] < 0);
       result.surfaces += faces[i] == 0 ? 1 : 0;

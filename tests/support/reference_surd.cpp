@@ -59,8 +59,8 @@ int compare(const Surd& a, const Surd& b) {
   const Rational second = b.q_ * b.q_ * b.d_;
   const int roots = sign_of_sum(a.d_ == 0 ? 0 : sign_of(a.q_), b.d_ == 0 ? 0 : -sign_of(b.q_),
                                 sign_of(first - second));
-  const int squares = sign_of_surd(difference * difference - first - second, 2 * a.q_ * b.q_,
-                                   a.d_ * b.d_);
+  const int squares =
+      sign_of_surd(difference * difference - first - second, 2 * a.q_ * b.q_, a.d_ * b.d_);
   return sign_of_sum(sign_of(difference), roots, squares);
 }
 

@@ -72,7 +72,9 @@ struct MediaAlongRay {
 class TruthBench {
  public:
   explicit TruthBench(const std::string& text)
-      : text_(text), scene_(scene::parse_scene(text, "scene")), truth_(scene_),
+      : text_(text),
+        scene_(scene::parse_scene(text, "scene")),
+        truth_(scene_),
         tracer_(method::make_tracer<number::exact>(scene_, {})),
         judge_(truth_, *tracer_, scene_.leaves.size()) {}
 

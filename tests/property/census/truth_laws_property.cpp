@@ -33,9 +33,8 @@ class Law {
     tally_.add("rays");
     tally_.add("changes", !expected.changes.empty());
     const auto& classes = bench.truth().classes();
-    tally_.add("coincident", std::any_of(classes.begin(), classes.end(), [](const auto& cls) {
-                 return cls.leaves.size() > 1;
-               }));
+    tally_.add("coincident", std::any_of(classes.begin(), classes.end(),
+                                         [](const auto& cls) { return cls.leaves.size() > 1; }));
     if (!(actual == expected)) {
       FAIL(name_ << ": " << model.name << ", ray \"" << report::ray_text(ray) << "\": " << actual
                  << " is not " << expected << "\nin\n"
@@ -123,8 +122,8 @@ TEST_CASE("Two operands: add commutes in volume, a inter b is a - (a - b)", "[la
 template <typename Iterator>
 void shuffle(Iterator first, Iterator last, SeededStream& stream) {
   for (auto left = last - first; left > 1; --left) {
-    std::iter_swap(first + (left - 1),
-                   first + static_cast<std::ptrdiff_t>(stream.below(static_cast<std::uint64_t>(left))));
+    std::iter_swap(first + (left - 1), first + static_cast<std::ptrdiff_t>(
+                                                   stream.below(static_cast<std::uint64_t>(left))));
   }
 }
 
@@ -195,9 +194,9 @@ Node expanded(const Node& node, SeededStream& stream) {
     face(Primitive::Kind::HalfSpace, {0, 0, -1, -low});
     face(Primitive::Kind::HalfSpace, {0, 0, 1, low + n[0]});
     // x^2 + y^2 - (at_zero + slope z)^2
-    face(Primitive::Kind::Quadric, {1, 0, 0, 0,                                        //
-                                    0, 1, 0, 0,                                        //
-                                    0, 0, -slope * slope, -2 * slope * at_zero,        //
+    face(Primitive::Kind::Quadric, {1, 0, 0, 0,                                  //
+                                    0, 1, 0, 0,                                  //
+                                    0, 0, -slope * slope, -2 * slope * at_zero,  //
                                     0, 0, 0, -at_zero * at_zero});
   }
   if (node.is_solid() && !result.operands.empty()) {
@@ -229,8 +228,8 @@ TEST_CASE("A primitive is the intersection of its half-spaces in any order", "[l
 TEST_CASE("A map of scene and ray together changes nothing", "[laws]") {
   using reference::Step;
   enum class Which { Rotation, Translation, Scaling, Mirror, Chain };
-  const auto which = GENERATE(Which::Rotation, Which::Translation, Which::Scaling, Which::Mirror,
-                              Which::Chain);
+  const auto which =
+      GENERATE(Which::Rotation, Which::Translation, Which::Scaling, Which::Mirror, Which::Chain);
   Law law("map " + std::to_string(static_cast<int>(which)));
   std::uint64_t case_id = 0;
   for_each_model([&](const LawModel& model) {

@@ -8,8 +8,8 @@
 
 #include "base/seeded_stream.hpp"
 #include "method/tracer.hpp"
-#include "number/all_numbers.hpp"
 #include "support/class_tally.hpp"
+#include "support/number_types.hpp"
 #include "support/random_csg.hpp"
 #include "support/scenes.hpp"
 
@@ -238,9 +238,8 @@ TEST(LocateTest, RandomPlanesThroughOnePointMatchBruteForce) {
 template <typename Number>
 class LocateInTest : public ::testing::Test {};
 
-template <typename... Numbers>
-auto as_types(std::tuple<Numbers...>) -> ::testing::Types<Numbers...>;
-TYPED_TEST_SUITE(LocateInTest, decltype(as_types(number::AllNumbers{})));
+using AllNumberTypes = support::TypesOf<number::AllNumbers>::type;
+TYPED_TEST_SUITE(LocateInTest, AllNumberTypes, support::NumberNames);
 
 TYPED_TEST(LocateInTest, EveryNumberTypeSeesTheMediumAwayFromCarriers) {
   const scene::Scene scene = scene_of(R"(rotate([17, 29, 43]) difference() {

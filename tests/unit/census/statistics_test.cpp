@@ -1,0 +1,102 @@
+#include "census/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include "base/contract.hpp"
+
+namespace lamina::census {
+namespace {
+
+constexpr long double kEachSide = 0.025L;
+
+// The probabilities of 0 .. n events, each from the one before. Contract: 0 < p < 1.
+std::vector<long double> binomial(std::uint64_t n, long double p) {
+  std::vector<long double> all{std::pow(1 - p, static_cast<long double>(n))};
+  for (std::uint64_t k = 1; k <= n; ++k) {
+    all.push_back(all.back() * static_cast<long double>(n - k + 1) / static_cast<long double>(k) *
+                  p / (1 - p));
+  }
+  return all;
+}
+
+long double sum(const std::vector<long double>& terms, std::uint64_t first, std::uint64_t last) {
+  long double total = 0;
+  for (std::uint64_t k = first; k <= last; ++k) {
+    total += terms[k];
+  }
+  return total;
+}
+
+// Each bound is the probability at which the tail from the count on is 2.5 %. A tail's slope in
+// p is below n, so that a bound wrong by 2^-40 moves it by n 2^-40 at most.
+TEST(ClopperPearsonTest, TailsAtTheBoundsAre2Point5Percent) {
+  for (const std::uint64_t n : {1U, 2U, 7U, 30U, 100U, 1000U}) {
+    const double tolerance = static_cast<double>(n) * 0x1p-40;
+    for (std::uint64_t k = 0; k <= n; k += n > 100 ? 83 : 1) {
+      const Interval interval = clopper_pearson(k, n);
+      if (k > 0) {
+        EXPECT_NEAR(sum(binomial(n, interval.lower), k, n), kEachSide, tolerance) << k << " of " << n;
+      }
+      if (k < n) {
+        EXPECT_NEAR(sum(binomial(n, interval.upper), 0, k), kEachSide, tolerance) << k << " of " << n;
+      }
+    }
+  }
+}
+
+// 1 - 0.025^(1/n) and its mirror image.
+TEST(ClopperPearsonTest, NoneAndAllHaveClosedForms) {
+  for (const std::uint64_t n : {1U, 10U, 100U, 1'000'000U}) {
+    const double root = std::exp(std::log(0.025) / static_cast<double>(n));
+    const Interval none = clopper_pearson(0, n);
+    EXPECT_EQ(none.lower, 0);
+    EXPECT_NEAR(none.upper, 1 - root, 1e-15);
+    const Interval all = clopper_pearson(n, n);
+    EXPECT_NEAR(all.lower, root, 1e-15);
+    EXPECT_EQ(all.upper, 1);
+  }
+}
+
+// As tables of exact limits print them.
+TEST(ClopperPearsonTest, EqualsPrintedTables) {
+  const std::vector<std::tuple<std::uint64_t, std::uint64_t, double, double>> printed{
+      {0, 10, 0, 0.3085},      {1, 10, 0.0025, 0.4450}, {5, 10, 0.1871, 0.8129},
+      {10, 100, 0.0490, 0.1762}, {50, 100, 0.3983, 0.6017}};
+  for (const auto& [count, n, lower, upper] : printed) {
+    const Interval interval = clopper_pearson(count, n);
+    EXPECT_NEAR(interval.lower, lower, 5e-5) << count << " of " << n;
+    EXPECT_NEAR(interval.upper, upper, 5e-5) << count << " of " << n;
+  }
+}
+
+TEST(ClopperPearsonTest, CoversAtLeast95PercentWhateverTheProbability) {
+  for (const std::uint64_t n : {1U, 5U, 20U, 50U}) {
+    for (int i = 1; i < 200; ++i) {
+      const double p = i / 200.0;
+      const auto probability = binomial(n, p);
+      long double covered = 0;
+      for (std::uint64_t k = 0; k <= n; ++k) {
+        const Interval interval = clopper_pearson(k, n);
+        covered += interval.lower <= p && p <= interval.upper ? probability[k] : 0;
+      }
+      EXPECT_GE(covered, 0.95L) << n << " trials at " << p;
+    }
+  }
+}
+
+TEST(ClopperPearsonTest, NoTrialsTellNothing) {
+  const Interval interval = clopper_pearson(0, 0);
+  EXPECT_EQ(interval.lower, 0);
+  EXPECT_EQ(interval.upper, 1);
+}
+
+TEST(ClopperPearsonTest, MoreEventsThanTrialsBreakTheContract) {
+  EXPECT_THROW(clopper_pearson(2, 1), base::ContractError);
+}
+
+}  // namespace
+}  // namespace lamina::census
