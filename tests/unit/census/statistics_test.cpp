@@ -11,7 +11,7 @@
 namespace lamina::census {
 namespace {
 
-constexpr long double kEachSide = 0.025L;
+constexpr double kEachSide = 0.025;
 
 // The probabilities of 0 .. n events, each from the one before. Contract: 0 < p < 1.
 std::vector<long double> binomial(std::uint64_t n, long double p) {
@@ -23,12 +23,12 @@ std::vector<long double> binomial(std::uint64_t n, long double p) {
   return all;
 }
 
-long double sum(const std::vector<long double>& terms, std::uint64_t first, std::uint64_t last) {
+double sum(const std::vector<long double>& terms, std::uint64_t first, std::uint64_t last) {
   long double total = 0;
   for (std::uint64_t k = first; k <= last; ++k) {
     total += terms[k];
   }
-  return total;
+  return static_cast<double>(total);
 }
 
 // Each bound is the probability at which the tail from the count on is 2.5 %. A tail's slope in
