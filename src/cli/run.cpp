@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "base/contract.hpp"
 #include "base/environment.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -23,6 +24,7 @@ struct Options {
   std::uint64_t seed = 1;
   int threads = 0;
   std::string out;
+  bool resume = false;
   std::string format = "md";
 };
 
@@ -32,6 +34,48 @@ std::vector<method::NumberChoice> numbers_of(const Options& options,
     return parse_numbers(options.numbers.empty() ? "all" : options.numbers);
   }
   return parse_numbers(fmt::format("{}", fmt::join(experiment.default_numbers, ",")));
+}
+
+std::string names_of(const std::vector<method::Method>& methods) {
+  std::vector<std::string> names;
+  for (const method::Method& method : methods) {
+    names.push_back(method.name);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+std::string names_of(const std::vector<method::NumberChoice>& numbers) {
+  std::vector<std::string> names;
+  for (const method::NumberChoice& number : numbers) {
+    names.push_back(number.name);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+// Everything that the tables depend on.
+report::Record record_of(const Options& options, const experiments::Settings& settings) {
+  return {{"experiment", options.experiment},
+          {"rays", fmt::format("{}", settings.rays)},
+          {"seed", fmt::format("{}", settings.seed)},
+          {"methods", names_of(settings.plan.methods)},
+          {"numbers", names_of(settings.plan.numbers)},
+          {"quadratic", options.solvers.quadratic},
+          {"quartic", options.solvers.quartic},
+          {"facets", settings.read.facets ? "yes" : "no"}};
+}
+
+// The run is in the folder already: true. Throws if something else is.
+bool is_done(const Options& options, const report::Record& settings) {
+  const report::Found found =
+      options.out.empty() ? report::Found::Nothing : report::find_run(options.out, settings);
+  if (found == report::Found::Nothing || (found == report::Found::ThisRun && options.resume)) {
+    return found == report::Found::ThisRun;
+  }
+  throw base::InputError(fmt::format(
+      "folder '{}' has {}", options.out,
+      found == report::Found::ThisRun
+          ? "this run already: see it with `lamina table`, or give --resume"
+          : "a run of other settings, which would be lost: name another folder"));
 }
 
 void run(const Options& options) {
@@ -44,19 +88,22 @@ void run(const Options& options) {
   settings.rays = options.rays == 0 ? experiment.default_rays : options.rays;
   settings.seed = options.seed;
   settings.progress = progress_bar();
+  const report::Record record = record_of(options, settings);
+  if (is_done(options, record)) {
+    fmt::print("{}", report::write(report::read_run(options.out), format));
+    return;
+  }
   catch_interrupts();
   const experiments::Result result = experiment.run(settings);
-  if (!options.out.empty()) {
-    auto environment = base::environment();
-    for (auto& version : number::library_versions()) {
-      environment.push_back(std::move(version));
-    }
-    environment.emplace_back("experiment", experiment.name);
-    environment.emplace_back("rays", fmt::format("{}", settings.rays));
-    environment.emplace_back("seed", fmt::format("{}", settings.seed));
-    report::write_run(options.out, result.tables, environment);
-  }
   fmt::print("{}", report::write(result.tables, format));
+  if (options.out.empty() || result.interrupted) {
+    return;
+  }
+  report::Record environment = base::environment();
+  for (auto& version : number::library_versions()) {
+    environment.push_back(std::move(version));
+  }
+  report::write_run(options.out, result.tables, environment, record);
 }
 
 }  // namespace
@@ -66,7 +113,7 @@ void add_run(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "runs an experiment and prints its tables");
   command->footer(
       "See `lamina list experiments`, and README.md in the experiment's folder. Ctrl-C stops after\n"
-      "the work in hand and prints what is finished.\n\n"
+      "the work in hand and prints what is finished; only whole runs are kept in a folder.\n\n"
       "Example: lamina run coincident-faces --rays 100000 --out results/coincident");
   command->add_option("experiment", options->experiment)->required();
   command->add_option("--rays", options->rays, "rays in all; 0: the experiment's own number")
@@ -78,7 +125,9 @@ void add_run(CLI::App& app) {
                       "separated by commas, or all; default: the experiment's own");
   command->add_option("--threads", options->threads, "0: all; results do not depend on it")
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder for the tables, for `lamina table`");
+  command->add_option("--out", options->out, "folder for the finished tables, for `lamina table`");
+  command->add_flag("--resume", options->resume,
+                    "if that folder has this run already, print it instead of running again");
   command->add_option("--format", options->format, "md, csv, json, latex")->capture_default_str();
   options->read.add_facets_to(*command);
   options->solvers.add_to(*command);

@@ -12,6 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kTables = "tables.json";
+constexpr const char* kEnvironment = "environment.json";
+
+Json to_json(const Record& record) {
+  Json object = Json::object();
+  for (const auto& [name, value] : record) {
+    object[name] = value;
+  }
+  return object;
+}
+
 Json to_json(const Value& value) {
   if (const Rate* rate = std::get_if<Rate>(&value)) {
     return {{"count", rate->count}, {"n", rate->n}};
@@ -92,8 +103,19 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
+Found find_run(const std::filesystem::path& folder, const Record& settings) {
+  if (!std::filesystem::exists(folder / kTables)) {
+    return Found::Nothing;
+  }
+  std::ifstream in(folder / kEnvironment, std::ios::binary);
+  const Json found = Json::parse(in, nullptr, false);
+  const bool same = found.is_object() && found.contains("settings") &&
+                    found.at("settings") == to_json(settings);
+  return same ? Found::ThisRun : Found::AnotherRun;
+}
+
 void write_run(const std::filesystem::path& folder, const std::vector<Table>& tables,
-               const std::vector<std::pair<std::string, std::string>>& environment) {
+               const Record& environment, const Record& settings) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -104,16 +126,14 @@ void write_run(const std::filesystem::path& folder, const std::vector<Table>& ta
   for (const Table& table : tables) {
     all.push_back(to_json(table));
   }
-  write_whole(folder / "tables.json", Json{{"schema", 1}, {"tables", std::move(all)}}.dump(1) + '\n');
-  Json record = Json::object();
-  for (const auto& [name, value] : environment) {
-    record[name] = value;
-  }
-  write_whole(folder / "environment.json", record.dump(1) + '\n');
+  write_whole(folder / kTables, Json{{"schema", 1}, {"tables", std::move(all)}}.dump(1) + '\n');
+  Json record = to_json(environment);
+  record["settings"] = to_json(settings);
+  write_whole(folder / kEnvironment, record.dump(1) + '\n');
 }
 
 std::vector<Table> read_run(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "tables.json";
+  const std::filesystem::path file = folder / kTables;
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     throw base::InputError(

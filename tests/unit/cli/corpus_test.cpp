@@ -22,7 +22,7 @@ std::string numbers_text(const Json& row, std::size_t count) {
   return text.str();
 }
 
-class CorpusTest : public ::testing::TestWithParam<std::string> {};
+class CorpusTest : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CorpusTest, AgreesWithEveryAnswer) {
   const auto folder = support::corpus_folder();
@@ -78,7 +78,7 @@ TEST_P(CorpusTest, AgreesWithEveryAnswer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RealModels, CorpusTest, ::testing::ValuesIn(support::kReadableModels),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& model) { return std::string(model.param); });
 
 }  // namespace
 }  // namespace lamina::test

@@ -119,8 +119,13 @@ TEST(ProgramTest, RunsKeepTheirTables) {
   EXPECT_TRUE(run.error.empty()) << run.error;  // no progress bar in a pipe
   EXPECT_EQ(run.out, lamina("table " + folder).out);
   const Json environment = Json::parse(read(folder + "/environment.json"));
-  EXPECT_EQ(environment.at("seed"), "1");
+  EXPECT_EQ(environment.at("settings").at("seed"), "1");
   EXPECT_TRUE(environment.contains("compiler"));
+  // The same run is not made twice, and another one does not overwrite it.
+  const std::string again = "run ghost-cylinders --rays 200 --numbers double,exact --out " + folder;
+  EXPECT_EQ(lamina(again).status, 2);
+  EXPECT_EQ(lamina(again + " --resume").out, run.out);
+  EXPECT_EQ(lamina(again + " --resume --seed 2").status, 2);
   const Json tables = Json::parse(lamina("table " + folder + " --format json").out);
   const Json& rows = tables.at("tables").at(0).at("rows");
   ASSERT_EQ(rows.size(), 10U);

@@ -111,12 +111,12 @@ TYPED_TEST(QuadraticTest, CarefulRootsKeepTheirBoundNearCancellation) {
   EXPECT_GE(plain_wrong, kCases / 20);
 }
 
-// t^2 - 2 b t + 1 with b of half the bits: the smaller root is 1 / (2b) or so, and less than
-// what b - sqrt(b^2 - 1) keeps.
+// t^2 - 2 B t + 1 with B = 3 * 2^k, k a third of the bits P: the smaller root is 1 / (2B) or so,
+// and B - sqrt(B^2 - 1) keeps P - 2k bits of it.
 TYPED_TEST(QuadraticTest, PlainLosesTheSmallerRoot) {
   using std::ldexp;
   typename TestFixture::Case in{TypeParam(1), TypeParam(0), TypeParam(1), ""};
-  in.b = -ldexp(TypeParam(1), (this->kBits - 1) / 2);
+  in.b = -ldexp(TypeParam(3), this->kBits / 3);
   const auto truth = this->exact_roots(in);
   const auto careful = quadratic_crossings(in.a, in.b, in.c, QuadraticSolver::Careful);
   ASSERT_EQ(careful.count, 2);

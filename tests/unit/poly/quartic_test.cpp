@@ -48,7 +48,8 @@ TYPED_TEST(QuarticTest, FindsSeparatedRoots) {
     const TypeParam bound = number::unit_roundoff<TypeParam>() * 1024;
     for (int i = 0; i < 4; ++i) {
       using std::abs;
-      EXPECT_LE(abs(TypeParam(roots.t[i] - (i + 1))), bound * (i + 1)) << i;
+      const TypeParam root(i + 1);
+      EXPECT_LE(abs(TypeParam(roots.t[i] - root)), TypeParam(bound * root)) << i;
     }
   }
 }
