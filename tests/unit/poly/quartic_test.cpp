@@ -48,7 +48,7 @@ TYPED_TEST(QuarticTest, FindsSeparatedRoots) {
     const TypeParam bound = number::unit_roundoff<TypeParam>() * 1024;
     for (int i = 0; i < 4; ++i) {
       using std::abs;
-      const TypeParam root(i + 1);
+      const auto root = static_cast<TypeParam>(i + 1);
       EXPECT_LE(abs(TypeParam(roots.t[i] - root)), TypeParam(bound * root)) << i;
     }
   }
