@@ -7,6 +7,20 @@
 namespace lamina::census {
 namespace {
 
+bool owns(csg::LeafIndex leaf, const TruthClass& cls) {
+  const auto& owners = cls.effect.owners;
+  return std::find(owners.begin(), owners.end(), leaf) != owners.end();
+}
+
+void count_lamina(const TruthClass& cls, bool seen, Verdict& verdict) {
+  if (cls.effect.lamina) {
+    verdict.lamina_fronts += cls.all_enter ? 1 : 0;
+    verdict.lamina_fronts_seen += cls.all_enter && seen ? 1 : 0;
+    verdict.lamina_backs += cls.all_leave ? 1 : 0;
+    verdict.lamina_backs_seen += cls.all_leave && seen ? 1 : 0;
+  }
+}
+
 double middle(const number::Root& root) { return root.lower() + (root.upper() - root.lower()) / 2; }
 
 }  // namespace
@@ -155,8 +169,7 @@ Verdict Judge::judge(const method::Report& report, double direction_length) {
       note(Artifact::GhostHit, cls, seen.crossing);
       continue;
     }
-    const auto& owners = truth.effect.owners;
-    if (std::find(owners.begin(), owners.end(), leaf) == owners.end()) {
+    if (!owns(leaf, truth)) {
       note(Artifact::GhostSurface, cls, seen.crossing);
     }
     if (seen.transition != truth.effect.transition) {
@@ -167,36 +180,16 @@ Verdict Judge::judge(const method::Report& report, double direction_length) {
   int first_interface = -1;
   for (std::size_t c = 0; c < classes.size(); ++c) {
     const TruthClass& truth = classes[c];
-    if (truth.effect.lamina) {
-      verdict.lamina_fronts += truth.all_enter ? 1 : 0;
-      verdict.lamina_fronts_seen += truth.all_enter && reported_[c] ? 1 : 0;
-      verdict.lamina_backs += truth.all_leave ? 1 : 0;
-      verdict.lamina_backs_seen += truth.all_leave && reported_[c] ? 1 : 0;
-    }
+    count_lamina(truth, reported_[c], verdict);
     if (!truth.is_interface()) {
       continue;
     }
     if (first_interface < 0) {
       first_interface = static_cast<int>(c);
     }
-    if (reported_[c]) {
-      continue;
+    if (!reported_[c]) {
+      note(why_missed(truth), c, kNoCrossing);
     }
-    bool all_found = true;
-    bool some_ahead = false;
-    for (std::size_t i = 0; i < truth.leaves.size(); ++i) {
-      const auto& owners = truth.effect.owners;
-      if (std::find(owners.begin(), owners.end(), truth.leaves[i]) == owners.end()) {
-        continue;
-      }
-      const std::uint32_t found = tracer_crossing_[truth.first_crossing + i];
-      all_found = all_found && found != kNoCrossing;
-      some_ahead = some_ahead || (found != kNoCrossing && tracer_.crossings()[found].ahead);
-    }
-    note(!all_found   ? Artifact::MissedSolver
-         : some_ahead ? Artifact::MissedLogic
-                      : Artifact::MissedRange,
-         c, kNoCrossing);
   }
 
   const bool any_seen = !report.interfaces.empty();
@@ -204,11 +197,9 @@ Verdict Judge::judge(const method::Report& report, double direction_length) {
   if (any_seen && first_interface >= 0) {
     const method::Interface& seen = report.interfaces.front();
     const TruthClass& truth = classes[first_interface];
-    const auto& owners = truth.effect.owners;
     first_right = class_of_[seen.crossing] == first_interface &&
                   seen.transition == truth.effect.transition &&
-                  std::find(owners.begin(), owners.end(),
-                            tracer_.crossings()[seen.crossing].leaf) != owners.end();
+                  owns(tracer_.crossings()[seen.crossing].leaf, truth);
     if (first_right) {
       verdict.first_hit_measured = true;
       verdict.first_hit = measure(seen.crossing, truth);
@@ -217,11 +208,25 @@ Verdict Judge::judge(const method::Report& report, double direction_length) {
   verdict[Artifact::FirstWrong] = first_right ? 0 : 1;
 
   judge_media(report, direction_length, verdict);
-  verdict[Artifact::Inconsistent] =
-      report.inconsistent + (report.end != truth_.end() ? 1 : 0);
+  verdict[Artifact::Inconsistent] = report.inconsistent + (report.end != truth_.end() ? 1 : 0);
   verdict[Artifact::WrongCount] = wrong_counts_;
   verdict[Artifact::WrongParity] = wrong_parities_;
   return verdict;
+}
+
+Artifact Judge::why_missed(const TruthClass& truth) const {
+  bool some_ahead = false;
+  for (std::size_t i = 0; i < truth.leaves.size(); ++i) {
+    if (!owns(truth.leaves[i], truth)) {
+      continue;
+    }
+    const std::uint32_t found = tracer_crossing_[truth.first_crossing + i];
+    if (found == kNoCrossing) {
+      return Artifact::MissedSolver;
+    }
+    some_ahead = some_ahead || tracer_.crossings()[found].ahead;
+  }
+  return some_ahead ? Artifact::MissedLogic : Artifact::MissedRange;
 }
 
 const method::HitError& Judge::measure(std::uint32_t crossing, const TruthClass& truth) {

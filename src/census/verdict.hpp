@@ -46,7 +46,7 @@ struct Verdict {
   std::uint32_t persistence = 0;    ///< longest run of intervals with a wrong medium
   std::uint32_t lamina_fronts = 0;  ///< lamina classes that all events enter
   std::uint32_t lamina_fronts_seen = 0;
-  std::uint32_t lamina_backs = 0;   ///< lamina classes that all events leave
+  std::uint32_t lamina_backs = 0;  ///< lamina classes that all events leave
   std::uint32_t lamina_backs_seen = 0;
   bool first_hit_measured = false;  ///< the first interface is right, and its error known
   method::HitError first_hit;
@@ -96,13 +96,14 @@ class Judge {
   static constexpr int kUnmatched = -2;
 
   void match_leaf(csg::LeafIndex leaf);
+  [[nodiscard]] Artifact why_missed(const TruthClass& truth) const;
   const method::HitError& measure(std::uint32_t crossing, const TruthClass& truth);
   void judge_media(const method::Report& report, double direction_length, Verdict& verdict) const;
 
   const Truth& truth_;
   const method::Tracer& tracer_;
   std::vector<std::vector<std::uint32_t>> by_leaf_;  // indices of the tracer's crossings
-  std::vector<int> class_of_;        // by the tracer's crossing; -1 behind the start
+  std::vector<int> class_of_;                   // by the tracer's crossing; -1 behind the start
   std::vector<std::uint32_t> tracer_crossing_;  // by the truth's crossing
   std::vector<Finding> findings_;
   std::vector<bool> reported_;

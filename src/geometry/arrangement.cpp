@@ -1,5 +1,6 @@
 #include "geometry/arrangement.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "base/contract.hpp"
@@ -17,7 +18,8 @@ struct Edge {
   std::vector<int> signs;             // of normal . along
   std::vector<std::size_t> contacts;  // planes that contain it
 
-  Edge(std::span<const IntegerVector> normals, const IntegerVector& direction) : along(direction) {
+  Edge(std::span<const IntegerVector> normals, IntegerVector direction)
+      : along(std::move(direction)) {
     for (std::size_t k = 0; k < normals.size(); ++k) {
       signs.push_back(number::sign(dot(normals[k], along)));
       if (signs.back() == 0) {

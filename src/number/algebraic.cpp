@@ -236,6 +236,15 @@ struct RootAccess {
       }
       lower = std::max(lower, below);
       upper = std::min(upper, above);
+      // Where roots are close, double's guess is poor: halve what is left exactly.
+      while (upper - lower > 8 * std::numeric_limits<double>::epsilon() *
+                                 std::max(std::abs(lower), std::abs(upper))) {
+        const double middle = lower + (upper - lower) / 2;
+        if (!(lower < middle && middle < upper)) {
+          break;
+        }
+        (compare_bound(value, middle) < 0 ? upper : lower) = middle;
+      }
     }
     return {lower, upper};
   }

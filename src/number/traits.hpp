@@ -7,6 +7,7 @@
 
 #include "number/algebraic.hpp"
 #include "number/concepts.hpp"
+#include "number/correct_subtraction.hpp"
 #include "number/rational.hpp"
 
 namespace lamina::number {

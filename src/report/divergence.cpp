@@ -1,13 +1,9 @@
 #include "report/divergence.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
-
-#include "report/page.hpp"
 
 namespace lamina::report {
 namespace {
@@ -403,12 +399,16 @@ class Search {
     for (csg::LeafIndex leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
       tested.push_back(outcome_.first_state(leaf));
     }
+    Divergence found{.cause = Cause::Unknown};
     for (csg::LeafIndex leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
-      if (tested[leaf] != true_state(leaf, 0) && matters(leaf, tested)) {
-        return {.cause = Cause::InsideTest, .leaf = leaf};
+      if (tested[leaf] != true_state(leaf, 0)) {
+        found = {.cause = Cause::InsideTest, .leaf = leaf};
+        if (matters(leaf, tested)) {
+          break;  // alone; else several do it together
+        }
       }
     }
-    return {.cause = Cause::Unknown};
+    return found;
   }
 
   // The event's classification is wrong: by its sense, or by a test of another leaf.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -204,7 +205,8 @@ class Events {
 
   [[nodiscard]] std::string ulps_text(const EventRecord& record) const {
     const std::uint32_t exact = outcome_.exact_of(record);
-    if (exact == kNoCrossing || outcome_.lane->number->significand_bits == 0) {
+    if (exact == kNoCrossing || outcome_.lane->number->significand_bits == 0 ||
+        !std::isfinite(outcome_.lane->tracer->t(record.crossing))) {
       return "";
     }
     const number::Root& truth = outcome_.truth->crossings()[exact].t;

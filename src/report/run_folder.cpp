@@ -142,7 +142,8 @@ std::vector<Table> read_run(const std::filesystem::path& folder) {
   }
   try {
     std::vector<Table> tables;
-    for (const Json& table : Json::parse(in).at("tables")) {
+    const Json document = Json::parse(in);
+    for (const Json& table : document.at("tables")) {
       tables.push_back(table_from(table));
     }
     return tables;

@@ -40,10 +40,11 @@ Task task_of(std::uint64_t case_id, std::uint64_t first, std::uint64_t last) {
   return task;
 }
 
-Census run(const Plan& plan, std::size_t tasks,
-           const std::function<Task(std::size_t)>& task = [](std::size_t i) {
-             return task_of(i, 0, 12);
-           }) {
+Census run(
+    const Plan& plan, std::size_t tasks,
+    const std::function<Task(std::size_t)>& task = [](std::size_t i) {
+      return task_of(i, 0, 12);
+    }) {
   return run_census(plan, tasks, task, [](auto, auto) { return true; });
 }
 
@@ -93,9 +94,8 @@ TEST(CensusTest, IsBitIdenticalForAnyNumberOfThreads) {
 // Only the sum of lengths depends on how it is put together, in its last bits.
 TEST(CensusTest, DoesNotDependOnHowRaysAreCutIntoTasks) {
   const Census whole = run(plan(1), 6);
-  const Census parts = run(plan(1), 36, [](std::size_t i) {
-    return task_of(i / 6, 2 * (i % 6), 2 * (i % 6) + 2);
-  });
+  const Census parts =
+      run(plan(1), 36, [](std::size_t i) { return task_of(i / 6, 2 * (i % 6), 2 * (i % 6) + 2); });
   EXPECT_EQ(whole.rays, parts.rays);
   EXPECT_EQ(whole.in_carrier, parts.in_carrier);
   EXPECT_EQ(whole.with_coincidence, parts.with_coincidence);
@@ -114,7 +114,8 @@ TEST(CensusTest, CountsEveryRayInEveryCell) {
   for (std::size_t c = 0; c < census.cells.size(); ++c) {
     EXPECT_EQ(census.cells[c].method, all.methods[c / all.numbers.size()].name);
     EXPECT_EQ(census.cells[c].number, all.numbers[c % all.numbers.size()].name);
-    EXPECT_EQ(census.cells[c].significand_bits, all.numbers[c % all.numbers.size()].significand_bits);
+    EXPECT_EQ(census.cells[c].significand_bits,
+              all.numbers[c % all.numbers.size()].significand_bits);
     EXPECT_EQ(census.cells[c].rays + census.in_carrier, census.rays);
   }
 }
@@ -152,8 +153,7 @@ TEST(CensusTest, TheWorstCaseReplays) {
 TEST(CensusTest, RaysInACarrierAreCountedApart) {
   const Census census = run(plan(1), 1, [](std::size_t) {
     // The second ray lies in the cube's face.
-    return Task{support::scene_of("cube(2);"),
-                {{{1, 1, 5}, {0, 0, -1}}, {{-1, 1, 2}, {1, 0, 0}}}};
+    return Task{support::scene_of("cube(2);"), {{{1, 1, 5}, {0, 0, -1}}, {{-1, 1, 2}, {1, 0, 0}}}};
   });
   EXPECT_EQ(census.rays, 2U);
   EXPECT_EQ(census.in_carrier, 1U);
@@ -165,9 +165,10 @@ TEST(CensusTest, RaysInACarrierAreCountedApart) {
 
 TEST(CensusTest, CoincidenceBehindTheStartIsNotCounted) {
   const auto with_coincidence = [](const geometry::ExactRay& ray) {
-    return run(plan(1), 1, [&ray](std::size_t) {
-             return Task{support::scene_of("add() { cube(2); cube(2); }"), {ray}};
-           })
+    return run(plan(1), 1,
+               [&ray](std::size_t) {
+                 return Task{support::scene_of("add() { cube(2); cube(2); }"), {ray}};
+               })
         .with_coincidence;
   };
   EXPECT_EQ(with_coincidence({{1, 1, 5}, {0, 0, -1}}), 1U);

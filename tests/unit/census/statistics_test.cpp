@@ -39,10 +39,12 @@ TEST(ClopperPearsonTest, TailsAtTheBoundsAre2Point5Percent) {
     for (std::uint64_t k = 0; k <= n; k += n > 100 ? 83 : 1) {
       const Interval interval = clopper_pearson(k, n);
       if (k > 0) {
-        EXPECT_NEAR(sum(binomial(n, interval.lower), k, n), kEachSide, tolerance) << k << " of " << n;
+        EXPECT_NEAR(sum(binomial(n, interval.lower), k, n), kEachSide, tolerance)
+            << k << " of " << n;
       }
       if (k < n) {
-        EXPECT_NEAR(sum(binomial(n, interval.upper), 0, k), kEachSide, tolerance) << k << " of " << n;
+        EXPECT_NEAR(sum(binomial(n, interval.upper), 0, k), kEachSide, tolerance)
+            << k << " of " << n;
       }
     }
   }
@@ -64,8 +66,11 @@ TEST(ClopperPearsonTest, NoneAndAllHaveClosedForms) {
 // As tables of exact limits print them.
 TEST(ClopperPearsonTest, EqualsPrintedTables) {
   const std::vector<std::tuple<std::uint64_t, std::uint64_t, double, double>> printed{
-      {0, 10, 0, 0.3085},      {1, 10, 0.0025, 0.4450}, {5, 10, 0.1871, 0.8129},
-      {10, 100, 0.0490, 0.1762}, {50, 100, 0.3983, 0.6017}};
+      {0, 10, 0, 0.3085},
+      {1, 10, 0.0025, 0.4450},
+      {5, 10, 0.1871, 0.8129},
+      {10, 100, 0.0490, 0.1762},
+      {50, 100, 0.3983, 0.6017}};
   for (const auto& [count, n, lower, upper] : printed) {
     const Interval interval = clopper_pearson(count, n);
     EXPECT_NEAR(interval.lower, lower, 5e-5) << count << " of " << n;

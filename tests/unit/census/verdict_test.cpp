@@ -28,7 +28,8 @@ class Bench {
  public:
   // The ray goes along x from the origin, so that t is x.
   explicit Bench(const std::string& text)
-      : scene_(support::scene_of(text)), truth_(scene_),
+      : scene_(support::scene_of(text)),
+        truth_(scene_),
         judge_(truth_, tracer_, scene_.leaves.size()) {
     truth_.find({{0, 0, 0}, {1, 0, 0}});
   }
@@ -81,8 +82,7 @@ class SlabVerdictTest : public ::testing::Test {
 };
 
 TEST_F(SlabVerdictTest, WhatIsRightIsRight) {
-  const Verdict verdict =
-      bench_.judge(both_, report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
+  const Verdict verdict = bench_.judge(both_, report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
   expect_counts(verdict, {});
   EXPECT_EQ(verdict.wrong_length, 0);
   EXPECT_EQ(verdict.persistence, 0U);
@@ -122,18 +122,17 @@ TEST_F(SlabVerdictTest, FoundButNotAcceptedIsMissedByLogic) {
 TEST_F(SlabVerdictTest, FoundBehindTheStartIsMissedByRange) {
   const Verdict verdict =
       bench_.judge({enter(0, -0.5), leave(1, 5)}, report(kA, {{1, {kA, 0}}}, 0));
-  expect_counts(verdict, {{Artifact::FirstWrong, 1},
-                          {Artifact::MissedRange, 1},
-                          {Artifact::GhostMaterial, 1}});
+  expect_counts(
+      verdict,
+      {{Artifact::FirstWrong, 1}, {Artifact::MissedRange, 1}, {Artifact::GhostMaterial, 1}});
   EXPECT_EQ(verdict.wrong_length, 2);
 }
 
 TEST_F(SlabVerdictTest, AnInterfaceOfOtherMediaIsWrong) {
-  const Verdict verdict =
-      bench_.judge(both_, report(0, {{0, {0, kB}}, {1, {kB, 0}}}, 0));
-  expect_counts(verdict, {{Artifact::FirstWrong, 1},
-                          {Artifact::WrongInterface, 2},
-                          {Artifact::WrongMedium, 1}});
+  const Verdict verdict = bench_.judge(both_, report(0, {{0, {0, kB}}, {1, {kB, 0}}}, 0));
+  expect_counts(
+      verdict,
+      {{Artifact::FirstWrong, 1}, {Artifact::WrongInterface, 2}, {Artifact::WrongMedium, 1}});
   EXPECT_EQ(verdict.wrong_length, 3);
   ASSERT_EQ(bench_.judge().findings().size(), 2U);
   EXPECT_EQ(bench_.judge().findings()[1].artifact, Artifact::WrongInterface);
@@ -142,11 +141,10 @@ TEST_F(SlabVerdictTest, AnInterfaceOfOtherMediaIsWrong) {
 }
 
 TEST_F(SlabVerdictTest, AWrongSecondInterfaceLeavesTheFirstRight) {
-  const Verdict verdict =
-      bench_.judge(both_, report(0, {{0, {0, kA}}, {1, {kA, kB}}}, kB));
-  expect_counts(verdict, {{Artifact::WrongInterface, 1},
-                          {Artifact::GhostMaterial, 1},
-                          {Artifact::Inconsistent, 1}});
+  const Verdict verdict = bench_.judge(both_, report(0, {{0, {0, kA}}, {1, {kA, kB}}}, kB));
+  expect_counts(
+      verdict,
+      {{Artifact::WrongInterface, 1}, {Artifact::GhostMaterial, 1}, {Artifact::Inconsistent, 1}});
   EXPECT_TRUE(verdict.first_hit_measured);
 }
 
@@ -156,8 +154,7 @@ TEST_F(SlabVerdictTest, RejectedEventsAndAWrongEndAreInconsistent) {
 }
 
 TEST_F(SlabVerdictTest, AReportThatStartsWrongIsWrongUntilItsFirstInterface) {
-  const Verdict verdict =
-      bench_.judge(both_, report(kA, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
+  const Verdict verdict = bench_.judge(both_, report(kA, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
   expect_counts(verdict, {{Artifact::GhostMaterial, 1}});
   EXPECT_EQ(verdict.wrong_length, 2);
 }
@@ -179,8 +176,8 @@ TEST_F(BallVerdictTest, ALostPairHasTheRightParity) {
 
 TEST_F(BallVerdictTest, AnInventedPairIsAGhostBehindThePlaceItIsIn) {
   const std::vector<Found> found{enter(0, 3), leave(0, 5, 1), enter(0, 6, 2), leave(0, 7, 3)};
-  const Verdict verdict = bench_.judge(
-      found, report(0, {{0, {0, kA}}, {1, {kA, 0}}, {2, {0, kA}}, {3, {kA, 0}}}, 0));
+  const Verdict verdict =
+      bench_.judge(found, report(0, {{0, {0, kA}}, {1, {kA, 0}}, {2, {0, kA}}, {3, {kA, 0}}}, 0));
   // The invented material begins and ends within one exact interval, and is right behind it.
   expect_counts(verdict, {{Artifact::GhostHit, 2}, {Artifact::WrongCount, 1}});
   EXPECT_EQ(bench_.judge().matches(), (std::vector<std::uint32_t>{0, 1}));
@@ -212,8 +209,8 @@ TEST_F(BallVerdictTest, EnteringIsPairedWithEntering) {
 }
 
 TEST_F(BallVerdictTest, EqualCountsArePairedInOrderHoweverFarOff) {
-  const Verdict verdict = bench_.judge({enter(0, 40), leave(0, 50, 1)},
-                                       report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
+  const Verdict verdict =
+      bench_.judge({enter(0, 40), leave(0, 50, 1)}, report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
   expect_counts(verdict, {});
 }
 
@@ -261,8 +258,7 @@ TEST_F(LaminaVerdictTest, UnseenLaminaeAreCounted) {
 }
 
 TEST_F(LaminaVerdictTest, ASeenFrontIsAGhostHit) {
-  const Verdict verdict =
-      bench_.judge(all_, report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
+  const Verdict verdict = bench_.judge(all_, report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
   expect_counts(verdict, {{Artifact::FirstWrong, 1}, {Artifact::GhostHit, 2}});
   EXPECT_EQ(verdict.lamina_fronts_seen, 1U);
   EXPECT_EQ(verdict.lamina_backs_seen, 0U);
@@ -270,8 +266,7 @@ TEST_F(LaminaVerdictTest, ASeenFrontIsAGhostHit) {
 }
 
 TEST_F(LaminaVerdictTest, ASeenBackIsAGhostHit) {
-  const Verdict verdict =
-      bench_.judge(all_, report(0, {{2, {0, kA}}, {3, {kA, 0}}}, 0));
+  const Verdict verdict = bench_.judge(all_, report(0, {{2, {0, kA}}, {3, {kA, 0}}}, 0));
   expect_counts(verdict, {{Artifact::FirstWrong, 1}, {Artifact::GhostHit, 2}});
   EXPECT_EQ(verdict.lamina_fronts_seen, 0U);
   EXPECT_EQ(verdict.lamina_backs_seen, 1U);
@@ -288,8 +283,7 @@ TEST(VerdictTest, PersistenceIsTheLongestRunOfWrongIntervals) {
   EXPECT_EQ(stuck.persistence, 1U);
   EXPECT_EQ(stuck.wrong_length, 3);
   // Another material from 1 to 6: wrong four times in a row, then right.
-  const Verdict other =
-      bench.judge(all, report(0, {{0, {0, kB}}, {4, {kB, kA}}, {5, {kA, 0}}}, 0));
+  const Verdict other = bench.judge(all, report(0, {{0, {0, kB}}, {4, {kB, kA}}, {5, {kA, 0}}}, 0));
   expect_counts(other, {{Artifact::FirstWrong, 1},
                         {Artifact::MissedLogic, 3},
                         {Artifact::WrongInterface, 2},
@@ -302,9 +296,10 @@ TEST(VerdictTest, PersistenceIsTheLongestRunOfWrongIntervals) {
 TEST(VerdictTest, NothingSeenIsRightWhereNothingIs) {
   Bench bench("material(\"a\") translate([0, 9, 0]) sphere(1);");
   expect_counts(bench.judge({}, report(0, {}, 0)), {});
-  const Verdict ghost = bench.judge({enter(0, 1), leave(0, 2, 1)},
-                                    report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
-  expect_counts(ghost, {{Artifact::FirstWrong, 1}, {Artifact::GhostHit, 2}, {Artifact::WrongCount, 1}});
+  const Verdict ghost =
+      bench.judge({enter(0, 1), leave(0, 2, 1)}, report(0, {{0, {0, kA}}, {1, {kA, 0}}}, 0));
+  expect_counts(ghost,
+                {{Artifact::FirstWrong, 1}, {Artifact::GhostHit, 2}, {Artifact::WrongCount, 1}});
 }
 
 TEST(VerdictTest, TextsHaveDistinctNames) {

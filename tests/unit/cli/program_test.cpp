@@ -145,6 +145,7 @@ TEST(ProgramTest, BadInputIsExitStatusTwoAndSaysWhere) {
   const Scratch scratch;
   const std::string scene = scratch.write("box.csg", kBox);
   const std::string rays = scratch.write("rays", "0 0 0 1 0 0\n1 2 3 4 5\n");
+  const std::string good_rays = scratch.write("good", "0 0 0 1 0 0\n");
   const std::string broken = scratch.write("broken.csg", "cube([1, 1, 1]);\nsphere(r=);\n");
   const auto expect = [](const std::string& arguments, const std::string& part) {
     const Outcome outcome = lamina(arguments);
@@ -155,8 +156,8 @@ TEST(ProgramTest, BadInputIsExitStatusTwoAndSaysWhere) {
   expect("trace " + scene + " --rays " + rays, rays + ":2:");
   expect("trace " + scene + " --rays nowhere", "nowhere");
   expect("trace " + broken + " --rays " + rays, broken + ":2:10:");
-  expect("trace " + scene + " --rays " + rays + " --method odd", "wyvill-trotman");
-  expect("trace " + scene + " --rays " + rays + " --number odd", "double");
+  expect("trace " + scene + " --rays " + good_rays + " --method odd", "wyvill-trotman");
+  expect("trace " + scene + " --rays " + good_rays + " --number odd", "double");
   expect("explain " + scene + " --ray '0 0 0 0 0 0'", "direction");
   expect("explain " + scene + " --pixel 1,1", "camera");
   expect("explain " + scene, "--ray");

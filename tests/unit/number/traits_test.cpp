@@ -42,8 +42,9 @@ Rational rounded_by_hand(const Rational& q, int bits) {
 }
 
 Rational random_rational(base::SeededStream& stream) {
-  const Rational magnitude(Integer(stream.bits()), Integer(stream.bits() | 1U));
-  const Rational shift(Integer(1) << static_cast<unsigned>(stream.below(60)));
+  // Within 2^-60 .. 2^60, so that products stay in float's range.
+  const Rational magnitude(Integer(stream.bits() >> 24U), Integer((stream.bits() >> 24U) | 1U));
+  const Rational shift(Integer(1) << static_cast<unsigned>(stream.below(20)));
   const Rational value = stream.chance(0.5) ? Rational(magnitude * shift) : Rational(magnitude / shift);
   return stream.chance(0.5) ? value : Rational(-value);
 }

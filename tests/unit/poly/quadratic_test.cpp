@@ -133,8 +133,8 @@ TYPED_TEST(QuadraticTest, RootsAscendWhateverTheSigns) {
   using Number = TypeParam;
   for (const auto solver : {QuadraticSolver::Plain, QuadraticSolver::Careful}) {
     for (const int sign : {1, -1}) {
-      const auto roots = quadratic_crossings(Number(4 * sign), Number(-5 * sign),
-                                             Number(-6 * sign), solver);
+      const auto roots =
+          quadratic_crossings(Number(4 * sign), Number(-5 * sign), Number(-6 * sign), solver);
       ASSERT_EQ(roots.count, 2);
       EXPECT_EQ(roots.t[0], Number(-0.5));
       EXPECT_EQ(roots.t[1], Number(3));

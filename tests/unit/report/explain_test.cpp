@@ -246,6 +246,14 @@ TEST(ExplainTest, TheOtherSideOfTheStart) {
   EXPECT_TRUE(says(text, ", ahead of the start; here its t comes out as "));
 }
 
+TEST(ExplainTest, ATThatOverflows) {
+  const scene::Scene scene = scene_of("halfspace([1, 0, 0], 3e38);");
+  const ExactRay ray{{0, 0, 0}, {Rational(1) / (1 << 30), 0, 1}};
+  EXPECT_TRUE(says(explain_in<float>(scene, ray, "regularized"),
+                   "The t of A overflows; in truth it is 3.2212254"));
+  EXPECT_TRUE(says(explain_in<double>(scene, ray, "regularized"), "regularized in double: right"));
+}
+
 TEST(ExplainTest, TheNormalsSense) {
   const scene::Scene scene = scene_of("torus(R=2, r=1);");
   const auto ray = find_ray<number::bin<11>>(scene, rays_at(scene, 0, 2000), "wyvill-trotman",
@@ -269,7 +277,8 @@ TEST(ExplainTest, TouchesCarriersAndWhatIsBehind) {
   const scene::Scene scene = scene_of(R"(sphere(1); halfspace([0, 1, 0], 1);)");
   const std::string text = explain(scene, {{-3, 1, 0}, {1, 0, 0}}, {}, {}, {});
   EXPECT_TRUE(says(text, "The ray touches #0 (sphere[1]) at t = 3 and does not cross it there."));
-  EXPECT_TRUE(says(text, "The ray lies in the surface of #1 (halfspace[2]): by convention it is outside of it"));
+  EXPECT_TRUE(says(
+      text, "The ray lies in the surface of #1 (halfspace[2]): by convention it is outside of it"));
   const std::string behind = explain(scene, {{3, 0, 0}, {1, 0, 0}}, {}, {}, {});
   EXPECT_TRUE(says(behind, "Behind the start, at t <= 0: 2 events."));
   EXPECT_TRUE(says(behind, "Start in default"));

@@ -49,8 +49,7 @@ TEST(CarrierTest, OnePlaneHasOneCarrierWhateverItsEquationIsMultipliedBy) {
   expect_canonical(one.carrier);
   EXPECT_EQ(one.carrier.degree, 1);
   for (const Rational& factor : {Rational(5), Rational(1) / 7, Rational(-1), Rational(-4) / 9}) {
-    const OrientedCarrier other =
-        placed(plane({factor, 2 * factor / 3, -3 * factor}, 7 * factor));
+    const OrientedCarrier other = placed(plane({factor, 2 * factor / 3, -3 * factor}, 7 * factor));
     EXPECT_EQ(other.carrier, one.carrier) << factor;
     EXPECT_EQ(other.side, factor.sign() * one.side) << factor;
   }
@@ -98,14 +97,14 @@ TEST(CarrierTest, SurfacesThatMapsBringTogetherShareACarrier) {
   EXPECT_EQ(top.carrier, bottom.carrier);
   EXPECT_EQ(top.side, -bottom.side);
   // A larger sphere made small, and a sphere as an ellipsoid unstretched.
-  EXPECT_EQ(placed(sphere(6), geometry::scaling({Rational(-1) / 3, Rational(1) / 3,
-                                                 Rational(1) / 3}))
-                .carrier,
-            placed(sphere(2)).carrier);
-  EXPECT_EQ(placed(torus(6, 2), geometry::scaling({Rational(1) / 2, Rational(1) / 2,
-                                                   Rational(1) / 2}))
-                .carrier,
-            placed(torus(3, 1)).carrier);
+  EXPECT_EQ(
+      placed(sphere(6), geometry::scaling({Rational(-1) / 3, Rational(1) / 3, Rational(1) / 3}))
+          .carrier,
+      placed(sphere(2)).carrier);
+  EXPECT_EQ(
+      placed(torus(6, 2), geometry::scaling({Rational(1) / 2, Rational(1) / 2, Rational(1) / 2}))
+          .carrier,
+      placed(torus(3, 1)).carrier);
 }
 
 TEST(CarrierTest, AQuadricWithoutSquaresIsAPlane) {
@@ -205,8 +204,8 @@ ExactPoint point_of(const reference::Vector& v) { return {v[0], v[1], v[2]}; }
 // its gradient; in the whole of space that number has the side's sign.
 TEST(CarrierTest, RestrictionEqualsTheEquationAtRationalPoints) {
   constexpr std::uint64_t kCases = 400;
-  support::ClassTally reached{"inside", "outside", "on", "turned", "degree 1", "degree 2",
-                              "degree 4"};
+  support::ClassTally reached{"inside",   "outside",  "on",      "turned",
+                              "degree 1", "degree 2", "degree 4"};
   for (std::uint64_t case_id = 0; case_id < kCases; ++case_id) {
     SCOPED_TRACE(case_id);
     SeededStream stream("surface/carrier", 1, case_id);
@@ -225,7 +224,9 @@ TEST(CarrierTest, RestrictionEqualsTheEquationAtRationalPoints) {
                          geometry::translation({v[0], v[1], v[2]}));
       reached.add("turned");
     }
-    const auto [carrier, side] = placed(surface_of(primitive), to_world);
+    const OrientedCarrier oriented = placed(surface_of(primitive), to_world);
+    const Carrier& carrier = oriented.carrier;
+    const int side = oriented.side;
     expect_canonical(carrier);
     reached.add("degree " + std::to_string(carrier.degree));
     const auto equation = [&](const reference::Vector& world) {

@@ -89,6 +89,13 @@ Case random_case(base::SeededStream& stream, bool with_torus) {
   do {
     in.direction = random_vector(stream, 2);
   } while (in.direction == std::array<int, 3>{});
+  if (in.surface.kind == Kind::Plane && stream.chance(0.25)) {
+    // In the plane z = the origin's.
+    const Rational z = in.origin[2];
+    in.primitive = {Primitive::Kind::HalfSpace, {0, 0, 1, z}};
+    in.surface = plane({0, 0, 1}, z);
+    in.direction = {1, static_cast<int>(stream.integer(-2, 2)), 0};
+  }
   return in;
 }
 
@@ -150,7 +157,7 @@ TYPED_TEST_SUITE(RoundedSurfaceTest, support::RoundedNumberTypes, support::Numbe
 // plane, five units of roundoff for a quadric (quadratic_test derives them).
 TYPED_TEST(RoundedSurfaceTest, CrossingsOfPlanesAndQuadricsAreTheExactOnes) {
   constexpr std::uint64_t kCases = 1000;
-  support::ClassTally reached{"none", "one",     "two",           "touch",
+  support::ClassTally reached{"none",       "one",       "two",           "touch",
                               "in carrier", "never met", "starts inside", "starts outside"};
   for (std::uint64_t case_id = 0; case_id < kCases; ++case_id) {
     base::SeededStream stream("surface/rounded_surface", 1, case_id);
@@ -247,8 +254,10 @@ TYPED_TEST(RoundedSurfaceTest, ARayInTheSurfaceIsOutsideAndCrossesNothing) {
       {{}, plane({0, 0, 1}, 2), {1, 1, 2}, {1, 2, 0}},
       {{}, infinite_cylinder(2), {0, 2, 1}, {0, 0, 1}},
       {{}, infinite_cone(1, 0), {2, 0, 2}, {-1, 0, -1}},
-      {{}, quadric({{{0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, -1}, {0, 0, 0, 0}}}),  // x y = z
-       {0, 2, 0}, {1, 0, 2}}};
+      {{},
+       quadric({{{0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, -1}, {0, 0, 0, 0}}}),  // x y = z
+       {0, 2, 0},
+       {1, 0, 2}}};
   for (const Case& in : cases) {
     const auto found = RoundedSurface<TypeParam>(in.surface).crossings(this->ray(in), {});
     EXPECT_TRUE(found.in_carrier);
