@@ -11,11 +11,11 @@ namespace lamina::experiments {
 
 /// What the user asks for.
 struct Settings {
-  census::Plan plan;            ///< methods and number types of the run
-  scene::ReadOptions read;      ///< for experiments that read scene files
-  std::uint64_t rays = 0;       ///< in all
+  census::Plan plan;        ///< methods and number types of the run
+  scene::ReadOptions read;  ///< for experiments that read scene files
+  std::uint64_t rays = 0;   ///< in all
   std::uint64_t seed = 1;
-  census::Progress progress;    ///< tasks done and in all; false stops
+  census::Progress progress;  ///< tasks done and in all; false stops
 };
 
 struct Result {

@@ -33,10 +33,9 @@ census::Census family_census(const Family& family, Aim aim, std::uint64_t rays,
   const auto task = [&](std::size_t index) {
     const scene::FamilyMember member = family.member(settings.seed, index);
     census::Task result;
-    result.scene = scene::parse_scene(
-        member.text, scene::family_spelling(family.name, settings.seed, index));
-    base::SeededStream stream("rays/" + aim_name(aim),
-                              settings.seed, index);
+    result.scene =
+        scene::parse_scene(member.text, scene::family_spelling(family.name, settings.seed, index));
+    base::SeededStream stream("rays/" + aim_name(aim), settings.seed, index);
     const std::uint64_t count = std::min(kRaysPerScene, rays - index * kRaysPerScene);
     if (aim == Aim::Uniform) {
       result.rays = scene::uniform_rays(*result.scene.bounds, count, stream);

@@ -12,8 +12,7 @@ Result run(const Settings& settings) {
   bool interrupted = false;
   for (const Aim aim : {Aim::Coincident, Aim::Uniform}) {
     if (!interrupted) {
-      censuses.push_back(
-          {aim_name(aim), family_census(family, aim, settings.rays / 2, settings)});
+      censuses.push_back({aim_name(aim), family_census(family, aim, settings.rays / 2, settings)});
       interrupted = censuses.back().census.interrupted;
     }
   }
@@ -25,7 +24,10 @@ Result run(const Settings& settings) {
 Experiment coincident_faces() {
   return {"coincident-faces",
           "What does each method see where two or three solids share faces?",
-          "Wyvill and Trotman 1990, sections 1 to 3", 12'000, {}, run};
+          "Wyvill and Trotman 1990, sections 1 to 3",
+          12'000,
+          {},
+          run};
 }
 
 }  // namespace lamina::experiments

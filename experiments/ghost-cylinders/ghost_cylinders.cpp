@@ -19,7 +19,10 @@ Result run(const Settings& settings) {
 Experiment ghost_cylinders() {
   return {"ghost-cylinders",
           "Which methods report the cap plane of one cylinder as the top of another?",
-          "Wyvill and Trotman 1990, section 2, Figure 4", 10'000, {}, run};
+          "Wyvill and Trotman 1990, section 2, Figure 4",
+          10'000,
+          {},
+          run};
 }
 
 }  // namespace lamina::experiments

@@ -57,8 +57,7 @@ census::Census model_census(const Model& model, Aim aim, std::uint64_t rays,
   return census::run_census(
       settings.plan, tasks,
       [&](std::size_t index) {
-        base::SeededStream stream(fmt::format("real-models/{}/{}", model.name,
-                                              aim_name(aim)),
+        base::SeededStream stream(fmt::format("real-models/{}/{}", model.name, aim_name(aim)),
                                   settings.seed, index);
         const std::uint64_t count = std::min(kRaysPerTask, rays - index * kRaysPerTask);
         return census::Task{model.scene, draw_rays(model.scene, aim, count, stream)};
@@ -68,8 +67,9 @@ census::Census model_census(const Model& model, Aim aim, std::uint64_t rays,
 
 report::Table model_table(Aim aim) {
   report::Table table;
-  table.title = fmt::format("real-models: first visible interface wrong, by model, {}",
-                            aim == Aim::Uniform ? "uniform rays" : "rays that meet coincident faces");
+  table.title =
+      fmt::format("real-models: first visible interface wrong, by model, {}",
+                  aim == Aim::Uniform ? "uniform rays" : "rays that meet coincident faces");
   table.columns = {{"model", "model", ""},
                    {"leaves", "leaves", "Half-spaces of the model."},
                    {"shared", "shared", "Carriers that two leaves or more have."},
@@ -78,9 +78,9 @@ report::Table model_table(Aim aim) {
 }
 
 void add_model_row(report::Table& table, const Model& model, const census::Census& census) {
-  const auto shared = std::count_if(model.scene.leaves_of_carrier.begin(),
-                                    model.scene.leaves_of_carrier.end(),
-                                    [](const auto& leaves) { return leaves.size() > 1; });
+  const auto shared =
+      std::count_if(model.scene.leaves_of_carrier.begin(), model.scene.leaves_of_carrier.end(),
+                    [](const auto& leaves) { return leaves.size() > 1; });
   std::vector<report::Value> row{model.name, std::uint64_t(model.scene.leaves.size()),
                                  static_cast<std::uint64_t>(shared), census.rays};
   const bool first = table.rows.empty();
@@ -99,17 +99,17 @@ Result run(const Settings& settings) {
   std::vector<std::string> unread;
   for (const auto& path : corpus_models()) {
     try {
-      models.push_back({path.string(), path.stem().string(),
-                        scene::read_scene(path.string(), settings.read)});
+      models.push_back(
+          {path.string(), path.stem().string(), scene::read_scene(path.string(), settings.read)});
     } catch (const base::InputError& error) {
       const std::string message = error.what();
-      unread.push_back(path.filename().string() +
-                       message.substr(path.string().size(), message.find('\n') - path.string().size()));
+      unread.push_back(
+          path.filename().string() +
+          message.substr(path.string().size(), message.find('\n') - path.string().size()));
     }
   }
   if (models.empty()) {
-    throw base::InputError(
-        fmt::format("no model in '{}' could be read", corpus_folder().string()));
+    throw base::InputError(fmt::format("no model in '{}' could be read", corpus_folder().string()));
   }
   const std::uint64_t rays_per_model =
       std::max<std::uint64_t>(1, settings.rays / (2 * models.size()));

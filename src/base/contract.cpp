@@ -4,8 +4,10 @@
 
 namespace lamina::base {
 
-void contract_failed(const char* condition, const char* file, int line, const std::string& message) {
-  throw ContractError(fmt::format("{}:{}: contract broken: {} ({})", file, line, message, condition));
+void contract_failed(const char* condition, const char* file, int line,
+                     const std::string& message) {
+  throw ContractError(
+      fmt::format("{}:{}: contract broken: {} ({})", file, line, message, condition));
 }
 
 }  // namespace lamina::base

@@ -25,9 +25,9 @@ class InputError : public std::runtime_error {
 }  // namespace lamina::base
 
 /// Checks a contract in every build type; throws ContractError with file and line.
-#define LAMINA_REQUIRE(condition, message)                                             \
-  do {                                                                                 \
-    if (!(condition)) {                                                                \
-      ::lamina::base::contract_failed(#condition, __FILE__, __LINE__, (message));      \
-    }                                                                                  \
+#define LAMINA_REQUIRE(condition, message)                                        \
+  do {                                                                            \
+    if (!(condition)) {                                                           \
+      ::lamina::base::contract_failed(#condition, __FILE__, __LINE__, (message)); \
+    }                                                                             \
   } while (false)

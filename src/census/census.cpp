@@ -35,7 +35,8 @@ struct Lane {
 class EpsilonHoles {
  public:
   explicit EpsilonHoles(const Task& task, const Truth& truth)
-      : truth_(truth), tracer_(method::make_tracer<number::exact>(task.scene, {})),
+      : truth_(truth),
+        tracer_(method::make_tracer<number::exact>(task.scene, {})),
         judge_(truth, *tracer_, task.scene.leaves.size()) {}
 
   std::uint32_t count(const method::Method& method, const geometry::ExactRay& ray,
@@ -92,9 +93,10 @@ Census run_task(const Plan& plan, const Task& task) {
       continue;
     }
     const auto& classes = truth.classes();
-    census.with_coincidence += std::any_of(classes.begin(), classes.end(), [](const auto& cls) {
-      return cls.leaves.size() > 1;
-    }) ? 1 : 0;
+    census.with_coincidence += std::any_of(classes.begin(), classes.end(),
+                                           [](const auto& cls) { return cls.leaves.size() > 1; })
+                                   ? 1
+                                   : 0;
     const double direction_length =
         std::sqrt(number::nearest_double(dot(ray.direction, ray.direction)));
     for (std::size_t n = 0; n < lanes.size(); ++n) {
@@ -105,7 +107,8 @@ Census run_task(const Plan& plan, const Task& task) {
         lanes[n].tracer->run(plan.methods[m], report);
         Verdict verdict = lanes[n].judge.judge(report, direction_length);
         const bool missed = verdict[Artifact::MissedSolver] + verdict[Artifact::MissedLogic] +
-                                verdict[Artifact::MissedRange] > 0;
+                                verdict[Artifact::MissedRange] >
+                            0;
         if (missed && plan.methods[m].grouping == method::Grouping::WithinEpsilon) {
           verdict[Artifact::EpsilonHole] =
               epsilon_holes.count(plan.methods[m], ray, lanes[n].judge.reported_classes());

@@ -33,7 +33,7 @@ struct Cell {
   std::string method;
   std::string number;
   int significand_bits = 0;
-  std::uint64_t rays = 0;  ///< judged: those in no carrier
+  std::uint64_t rays = 0;                            ///< judged: those in no carrier
   std::array<std::uint64_t, kArtifactCount> with{};  ///< rays with at least one of each artifact
   double wrong_length = 0;
   std::uint32_t persistence = 0;  ///< the largest
@@ -55,10 +55,10 @@ struct Cell {
 /// The result: a cell for each method and number type, methods outermost.
 struct Census {
   std::vector<Cell> cells;
-  std::uint64_t rays = 0;             ///< all rays
-  std::uint64_t in_carrier = 0;       ///< of them in a carrier: counted apart, not judged
-  std::uint64_t with_coincidence = 0; ///< judged, with an exact class of two leaves or more ahead
-  bool interrupted = false;           ///< stopped early; the counts are of whole tasks
+  std::uint64_t rays = 0;              ///< all rays
+  std::uint64_t in_carrier = 0;        ///< of them in a carrier: counted apart, not judged
+  std::uint64_t with_coincidence = 0;  ///< judged, with an exact class of two leaves or more ahead
+  bool interrupted = false;            ///< stopped early; the counts are of whole tasks
 
   /// Adds the counts of later rays, by the same methods in the same number types.
   void merge(const Census& later);

@@ -62,8 +62,7 @@ std::vector<geometry::ExactRay> draw_rays(const scene::Scene& scene, const Optio
 }
 
 census::Census scene_census(const scene::Scene& scene, const Options& options,
-                            const census::Plan& plan,
-                            const std::vector<geometry::ExactRay>& given,
+                            const census::Plan& plan, const std::vector<geometry::ExactRay>& given,
                             const census::Progress& progress) {
   if (given.empty() && !scene.bounds && !scene.camera) {
     throw base::InputError(
@@ -79,10 +78,9 @@ census::Census scene_census(const scene::Scene& scene, const Options& options,
         const std::uint64_t first = index * kRaysPerTask;
         const std::uint64_t last = std::min(first + kRaysPerTask, count);
         return census::Task{
-            scene, given.empty()
-                       ? draw_rays(scene, options, index, last - first)
-                       : std::vector(given.begin() + static_cast<std::ptrdiff_t>(first),
-                                     given.begin() + static_cast<std::ptrdiff_t>(last))};
+            scene, given.empty() ? draw_rays(scene, options, index, last - first)
+                                 : std::vector(given.begin() + static_cast<std::ptrdiff_t>(first),
+                                               given.begin() + static_cast<std::ptrdiff_t>(last))};
       },
       progress);
 }
@@ -91,8 +89,8 @@ void run(const Options& options) {
   const report::Format format = report::parse_format(options.format);
   const census::Plan plan{parse_methods(options.methods), parse_numbers(options.numbers),
                           options.solvers.solvers(), options.threads};
-  const auto rays = options.rays_file.empty() ? std::vector<geometry::ExactRay>{}
-                                              : read_rays(options.rays_file);
+  const auto rays =
+      options.rays_file.empty() ? std::vector<geometry::ExactRay>{} : read_rays(options.rays_file);
   if (!options.rays_file.empty() && rays.empty()) {
     throw base::InputError(fmt::format("'{}' has no rays", options.rays_file));
   }
@@ -107,8 +105,7 @@ void run(const Options& options) {
       break;
     }
   }
-  const report::Table table =
-      report::census_table(censuses, {"scene", "scene", ""}, "census");
+  const report::Table table = report::census_table(censuses, {"scene", "scene", ""}, "census");
   fmt::print("{}", report::write(table, format));
 }
 
@@ -119,8 +116,10 @@ void add_census(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "census", "counts what each method in each number type gets wrong on a scene");
   command->footer(
-      "Rays go through uniformly random points of the scene's bounding box, from outside, or of its\n"
-      "camera's image where nothing is bounded; float holds them exactly, and all methods and number\n"
+      "Rays go through uniformly random points of the scene's bounding box, from outside, or of "
+      "its\n"
+      "camera's image where nothing is bounded; float holds them exactly, and all methods and "
+      "number\n"
       "types get the same. Below the table is what each column means, and rays to replay with\n"
       "`lamina explain`.\n\n"
       "Example: lamina census data/scenes/figure07.csg --numbers float,double --rays 10000");

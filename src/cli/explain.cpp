@@ -34,7 +34,8 @@ trace::ImageSize parse_size(const std::string& text) {
 
 void run(const Options& options) {
   if (options.ray.empty() == options.pixel.empty()) {
-    throw base::InputError("explain: give one ray, either --ray \"ox oy oz dx dy dz\" or --pixel X,Y");
+    throw base::InputError(
+        "explain: give one ray, either --ray \"ox oy oz dx dy dz\" or --pixel X,Y");
   }
   const scene::Scene scene = options.scene.open();
   geometry::ExactRay ray;
@@ -42,9 +43,8 @@ void run(const Options& options) {
     ray = parse_ray(options.ray);
   } else {
     if (!scene.camera) {
-      throw base::InputError(
-          fmt::format("{}: the scene has no camera, so --pixel means nothing: give --ray",
-                      options.scene.path));
+      throw base::InputError(fmt::format(
+          "{}: the scene has no camera, so --pixel means nothing: give --ray", options.scene.path));
     }
     ray = trace::pixel_ray(*scene.camera, parse_size(options.size), options.pixel[0],
                            options.pixel[1]);

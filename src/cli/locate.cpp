@@ -18,7 +18,8 @@ struct Options {
   std::string number = "exact";
 };
 
-std::string line_of(const scene::Scene& scene, const method::Location& location, std::size_t point) {
+std::string line_of(const scene::Scene& scene, const method::Location& location,
+                    std::size_t point) {
   nlohmann::ordered_json object{{"point", point}, {"medium", nullptr}};
   if (location.medium != csg::kEmpty) {
     object["medium"] = scene.materials[location.medium].name;
@@ -38,8 +39,7 @@ void run(const Options& options) {
   const method::NumberChoice number = parse_number(options.number);
   const bool exact = number.significand_bits == 0;
   print_lines(
-      points.size(),
-      [&] { return exact ? nullptr : number.make_tracer(scene, {}); },
+      points.size(), [&] { return exact ? nullptr : number.make_tracer(scene, {}); },
       [&](const std::unique_ptr<method::Tracer>& tracer, std::size_t i) {
         const method::Location location =
             exact ? method::locate_exact(scene, points[i])
@@ -54,9 +54,11 @@ void add_locate(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("locate", "the medium at points: JSON, a point a line");
   command->footer(
-      "Each line: {\"point\":0,\"medium\":\"steel\"}; null is empty. A point on the boundary of the\n"
+      "Each line: {\"point\":0,\"medium\":\"steel\"}; null is empty. A point on the boundary of "
+      "the\n"
       "regularized solid has \"boundary\":true; a point on carriers has the medium that all\n"
-      "directions around it share, so the plane between two touching boxes is inside. Where curved\n"
+      "directions around it share, so the plane between two touching boxes is inside. Where "
+      "curved\n"
       "surfaces touch at the point, \"undecided\":true says that not all directions could be told\n"
       "apart. Rounded number types test f(p) <= 0 and know no boundary.\n\n"
       "Example: lamina locate data/scenes/figure07.csg --points points.txt");

@@ -16,8 +16,7 @@ struct SceneOptions {
   scene::ReadOptions read;
 
   void add_to(CLI::App& command) {
-    command.add_option("scene", path, "a scene file (.csg), or family:NAME:SEED:CASE")
-        ->required();
+    command.add_option("scene", path, "a scene file (.csg), or family:NAME:SEED:CASE")->required();
     add_facets_to(command);
   }
   void add_facets_to(CLI::App& command) {

@@ -85,16 +85,15 @@ std::vector<SolverName> solver_names() {
 poly::Solvers parse_solvers(const std::string& quadratic, const std::string& quartic) {
   poly::Solvers solvers;
   if (quadratic != "plain" && quadratic != "careful") {
-    throw base::InputError(
-        fmt::format("quadratic solver '{}': one of plain, careful", quadratic));
+    throw base::InputError(fmt::format("quadratic solver '{}': one of plain, careful", quadratic));
   }
   if (quartic != "ferrari" && quartic != "monotone") {
     throw base::InputError(fmt::format("quartic solver '{}': one of ferrari, monotone", quartic));
   }
-  solvers.quadratic = quadratic == "plain" ? poly::QuadraticSolver::Plain
-                                           : poly::QuadraticSolver::Careful;
-  solvers.quartic = quartic == "ferrari" ? poly::QuarticSolver::Ferrari
-                                         : poly::QuarticSolver::Monotone;
+  solvers.quadratic =
+      quadratic == "plain" ? poly::QuadraticSolver::Plain : poly::QuadraticSolver::Careful;
+  solvers.quartic =
+      quartic == "ferrari" ? poly::QuarticSolver::Ferrari : poly::QuarticSolver::Monotone;
   return solvers;
 }
 

@@ -71,11 +71,11 @@ bool is_done(const Options& options, const report::Record& settings) {
   if (found == report::Found::Nothing || (found == report::Found::ThisRun && options.resume)) {
     return found == report::Found::ThisRun;
   }
-  throw base::InputError(fmt::format(
-      "folder '{}' has {}", options.out,
-      found == report::Found::ThisRun
-          ? "this run already: see it with `lamina table`, or give --resume"
-          : "a run of other settings, which would be lost: name another folder"));
+  throw base::InputError(
+      fmt::format("folder '{}' has {}", options.out,
+                  found == report::Found::ThisRun
+                      ? "this run already: see it with `lamina table`, or give --resume"
+                      : "a run of other settings, which would be lost: name another folder"));
 }
 
 void run(const Options& options) {
@@ -112,7 +112,8 @@ void add_run(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("run", "runs an experiment and prints its tables");
   command->footer(
-      "See `lamina list experiments`, and README.md in the experiment's folder. Ctrl-C stops after\n"
+      "See `lamina list experiments`, and README.md in the experiment's folder. Ctrl-C stops "
+      "after\n"
       "the work in hand and prints what is finished; only whole runs are kept in a folder.\n\n"
       "Example: lamina run coincident-faces --rays 100000 --out results/coincident");
   command->add_option("experiment", options->experiment)->required();

@@ -56,7 +56,10 @@ void run(const Options& options) {
   const method::NumberChoice number = parse_number(options.truth ? "exact" : options.number);
   const poly::Solvers solvers = options.solvers.solvers();
   print_lines(
-      rays.size(), [&] { return Worker{number.make_tracer(scene, solvers), {}}; },
+      rays.size(),
+      [&] {
+        return Worker{number.make_tracer(scene, solvers), {}};
+      },
       [&](Worker& worker, std::size_t i) {
         worker.tracer->find(rays[i]);
         worker.tracer->run(method, worker.report);
@@ -68,12 +71,15 @@ void run(const Options& options) {
 
 void add_trace(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("trace", "what a method sees along rays: JSON, a ray a line");
+  CLI::App* command =
+      app.add_subcommand("trace", "what a method sees along rays: JSON, a ray a line");
   command->footer(
       "Each line: {\"ray\":0,\"start\":null,\"transitions\":[{\"t\":1.25,\"from\":null,"
       "\"to\":\"steel\",\"leaf\":3}]}\n"
-      "start is the medium at t = 0+, null is empty; transitions have t > 0 in the method's order;\n"
-      "t is the nearest double; leaf counts from 0 in the order of the scene. A ray that lies in a\n"
+      "start is the medium at t = 0+, null is empty; transitions have t > 0 in the method's "
+      "order;\n"
+      "t is the nearest double; leaf counts from 0 in the order of the scene. A ray that lies in "
+      "a\n"
       "carrier, and by convention is outside of it, has \"in_carrier\":true besides.\n\n"
       "Example: lamina trace data/scenes/figure04.csg --rays rays.txt --truth");
   options->scene.add_to(*command);

@@ -61,8 +61,7 @@ class Reachable {
       for (const Medium sibling : of(from_left ? n.right : n.left)) {
         for (const Transition& change : changes) {
           const Transition still{sibling, sibling};
-          const Transition here =
-              from_left ? lift(n.op, change, still) : lift(n.op, still, change);
+          const Transition here = from_left ? lift(n.op, change, still) : lift(n.op, still, change);
           if (here.from != here.to) {
             insert(lifted, here);
           }

@@ -25,8 +25,12 @@ class Classifier {
   /// `step` is the method's epsilon in units of t.
   Classifier(const scene::Scene& scene, const RayEvents<Number>& events, csg::RayState& state,
              Report& report, OnEvent on_event)
-      : scene_(scene), events_(events), crossings_(events.crossings()), state_(state),
-        report_(report), on_event_(on_event) {}
+      : scene_(scene),
+        events_(events),
+        crossings_(events.crossings()),
+        state_(state),
+        report_(report),
+        on_event_(on_event) {}
 
   void run(const Method& method, const Number& step) {
     report_.clear();
@@ -116,8 +120,8 @@ class Classifier {
         }
       }
       if (method.look_ahead == LookAhead::Literal && state_.medium() != from) {
-        while (end < crossings_.size() && !stops_ray(state_.medium()) && is_additional(first, end) &&
-               passed(method, surface, end)) {
+        while (end < crossings_.size() && !stops_ray(state_.medium()) &&
+               is_additional(first, end) && passed(method, surface, end)) {
           cross(method, end++, group);
         }
       }

@@ -38,8 +38,8 @@ HitError hit_error(const scene::Scene& scene, const geometry::ExactRay& ray, csg
   HitError error;
   if (!exact_t.is_zero()) {
     const long ulp = exponent_of(exact_t) - significand_bits + 1;
-    error.t_ulps =
-        number::nearest_double(Rational(abs(t - exact_t) * number::detail::scale_by_power_of_two(1, -ulp)));
+    error.t_ulps = number::nearest_double(
+        Rational(abs(t - exact_t) * number::detail::scale_by_power_of_two(1, -ulp)));
   }
   if (const Rational size = magnitude(exact_point); !size.is_zero()) {
     error.point_rel = number::nearest_double(Rational(magnitude(point - exact_point) / size));

@@ -18,10 +18,11 @@ Method wyvill_sharp() {
 }
 
 Method epsilon(const number::Rational& epsilon, bool relative) {
-  return {.name = fmt::format("epsilon:{}{}", number::to_text(epsilon), relative ? ":relative" : ""),
-          .grouping = Grouping::WithinEpsilon,
-          .epsilon = epsilon,
-          .relative_epsilon = relative};
+  return {
+      .name = fmt::format("epsilon:{}{}", number::to_text(epsilon), relative ? ":relative" : ""),
+      .grouping = Grouping::WithinEpsilon,
+      .epsilon = epsilon,
+      .relative_epsilon = relative};
 }
 
 Method regularized() { return {.name = "regularized"}; }
@@ -70,7 +71,8 @@ Method parse_method(std::string_view text) {
     const number::Rational value = number::parse_rational(parts[1]);
     const bool relative = parts.size() == 3;
     if (value.sign() < 0 || (relative && value >= 1)) {
-      fail(relative ? "a relative tolerance is at least 0 and below 1" : "the tolerance is negative");
+      fail(relative ? "a relative tolerance is at least 0 and below 1"
+                    : "the tolerance is negative");
     }
     Method result = epsilon(value, relative);
     result.name = std::string(text);  // 1e-6 stays 1e-6

@@ -56,8 +56,8 @@ struct Method {
   Check check = Check::None;
   Sense sense = Sense::Parity;
   LookAhead look_ahead = LookAhead::None;
-  number::Rational epsilon{0};      ///< for WithinEpsilon; always stated, never a default
-  bool relative_epsilon = false;    ///< a multiple of the group's |t|, not a length
+  number::Rational epsilon{0};    ///< for WithinEpsilon; always stated, never a default
+  bool relative_epsilon = false;  ///< a multiple of the group's |t|, not a length
 };
 
 /// Roth 1982: all events of equal t; the surface is the first of them.

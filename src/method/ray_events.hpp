@@ -24,7 +24,7 @@ template <number::RealNumber Number>
 struct Crossing {
   typename number::number_traits<Number>::Root t;
   csg::LeafIndex leaf = 0;
-  std::uint16_t index = 0;        ///< 0, 1, ... along the ray among the leaf's crossings
+  std::uint16_t index = 0;  ///< 0, 1, ... along the ray among the leaf's crossings
   bool enters_by_parity = false;
   bool enters_by_normal = false;  ///< the sign of normal . direction at the rounded point
 };

@@ -53,7 +53,8 @@ bool RayEvents<exact>::within(const Root& first, const Root& later, const Ration
   const Rational lower(first.lower());
   const Rational upper(first.upper());
   const bool straddles = lower.sign() < 0 && upper.sign() > 0;
-  const Rational low = straddles ? Rational(0) : std::min(Rational(abs(lower)), Rational(abs(upper)));
+  const Rational low =
+      straddles ? Rational(0) : std::min(Rational(abs(lower)), Rational(abs(upper)));
   const Rational high = std::max(Rational(abs(lower)), Rational(abs(upper)));
   if (Rational(later.upper()) - lower <= (relative ? Rational(step * low) : step)) {
     return true;
@@ -66,7 +67,8 @@ bool RayEvents<exact>::within(const Root& first, const Root& later, const Ration
   }
   // first + step |first|; a relative step is below 1, so the factor is positive.
   const bool negative = compare(first, Rational(0)) < 0;
-  return compare(later, affine_image(first, negative ? Rational(1 - step) : Rational(1 + step), 0)) <= 0;
+  return compare(later,
+                 affine_image(first, negative ? Rational(1 - step) : Rational(1 + step), 0)) <= 0;
 }
 
 }  // namespace lamina::method

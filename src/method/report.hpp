@@ -39,9 +39,9 @@ struct CrossingId {
 /// One event as a method processed it; for explanations.
 struct EventRecord {
   std::uint32_t crossing = 0;
-  std::uint32_t group = 0;        ///< events of one group are processed at once
-  bool enters = false;            ///< in the sense that the method uses
-  bool accepted = true;           ///< false where the validity check rejected it
+  std::uint32_t group = 0;           ///< events of one group are processed at once
+  bool enters = false;               ///< in the sense that the method uses
+  bool accepted = true;              ///< false where the validity check rejected it
   bool inside = false;               ///< of its leaf, after the event
   csg::Medium medium = csg::kEmpty;  ///< of the whole tree after the event
 };

@@ -9,8 +9,8 @@
 
 #include "method/method.hpp"
 #include "method/report.hpp"
-#include "number/concepts.hpp"
 #include "number/algebraic.hpp"
+#include "number/concepts.hpp"
 #include "poly/line_roots.hpp"
 #include "scene/scene.hpp"
 
@@ -18,9 +18,9 @@ namespace lamina::method {
 
 /// How far a computed hit is from the exact one.
 struct HitError {
-  double t_ulps = 0;         ///< |t - t*| in units in the last place of t* in this number type
-  double point_rel = 0;      ///< largest coordinate error over the largest coordinate
-  double normal_rad = 0;     ///< angle between the normals
+  double t_ulps = 0;      ///< |t - t*| in units in the last place of t* in this number type
+  double point_rel = 0;   ///< largest coordinate error over the largest coordinate
+  double normal_rad = 0;  ///< angle between the normals
 };
 
 /// One scene in one number type. Not for two threads at once: each thread has its own.

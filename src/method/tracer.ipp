@@ -43,8 +43,8 @@ class TracerOf final : public Tracer {
   [[nodiscard]] bool in_some_carrier() const override { return events_.in_some_carrier(); }
 
   [[nodiscard]] bool inside_at(csg::LeafIndex leaf, std::size_t crossing) const override {
-    return events_.inside_at(leaf, crossing == kStart ? Root{Number(0)}
-                                                      : events_.crossings()[crossing].t);
+    return events_.inside_at(
+        leaf, crossing == kStart ? Root{Number(0)} : events_.crossings()[crossing].t);
   }
 
   [[nodiscard]] double t(std::size_t crossing) const override {

@@ -126,8 +126,7 @@ struct Root::Representation {
     const Rational twice_a = 2 * quadratic[2];
     const Rational part = 1 / twice_a;
     return Surd(to_cgal(Rational(-quadratic[1] / twice_a)),
-                to_cgal(larger ? part : Rational(-part)),
-                CGAL::Gmpq(to_cgal(discriminant)));
+                to_cgal(larger ? part : Rational(-part)), CGAL::Gmpq(to_cgal(discriminant)));
   }
 
   [[nodiscard]] KernelRoot kernel_root() const {
@@ -416,8 +415,7 @@ std::strong_ordering compare(const Root& a, const Root& b) {
   if (RootAccess::same(a, b)) {
     return std::strong_ordering::equal;
   }
-  return ordering(
-      compare_exactly(RootAccess::representation(a), RootAccess::representation(b)));
+  return ordering(compare_exactly(RootAccess::representation(a), RootAccess::representation(b)));
 }
 
 std::strong_ordering compare(const Root& a, const Rational& b) {
@@ -460,10 +458,9 @@ Enclosure enclosure(const Root& root, int bits) {
     return {r.rational, r.rational};
   }
   if (r.kind == Kind::Higher) {
-    const auto [lower, upper] =
-        root.lower() > 0 || root.upper() < 0
-            ? Kernel().approximate_relative_1_object()(*r.kernel, bits)
-            : Kernel().approximate_absolute_1_object()(*r.kernel, 2 * bits);
+    const auto [lower, upper] = root.lower() > 0 || root.upper() < 0
+                                    ? Kernel().approximate_relative_1_object()(*r.kernel, bits)
+                                    : Kernel().approximate_absolute_1_object()(*r.kernel, 2 * bits);
     return {from_cgal(lower), from_cgal(upper)};
   }
   // The stable formula loses a few bits of its precision; more where the discriminant is

@@ -27,10 +27,10 @@ concept RealNumber = requires(const Rational& q) {
 
 /// A type that rounds: every operation returns the nearest of finitely many values.
 template <typename Number>
-concept RoundedNumber = RealNumber<Number> && (number_traits<Number>::kSignificandBits > 0);
+concept RoundedNumber = RealNumber<Number> &&(number_traits<Number>::kSignificandBits > 0);
 
 /// A type that does not round; its ray points are algebraic reals.
 template <typename Number>
-concept ExactNumber = RealNumber<Number> && (number_traits<Number>::kSignificandBits == 0);
+concept ExactNumber = RealNumber<Number> &&(number_traits<Number>::kSignificandBits == 0);
 
 }  // namespace lamina::number

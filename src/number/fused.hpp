@@ -15,9 +15,10 @@ template <RoundedNumber Number>
 Number fused_multiply_add(const Number& a, const Number& b, const Number& c) {
   if constexpr (std::is_floating_point_v<Number>) {
     return std::fma(a, b, c);
-  } else if constexpr (requires(Number n) { mpfr_fma(n.backend().data(), n.backend().data(),
-                                                     n.backend().data(), n.backend().data(),
-                                                     MPFR_RNDN); }) {
+  } else if constexpr (requires(Number n) {
+                         mpfr_fma(n.backend().data(), n.backend().data(), n.backend().data(),
+                                  n.backend().data(), MPFR_RNDN);
+                       }) {
     Number result;
     mpfr_fma(result.backend().data(), a.backend().data(), b.backend().data(), c.backend().data(),
              MPFR_RNDN);

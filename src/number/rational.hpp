@@ -8,8 +8,8 @@
 namespace lamina::number {
 
 /// Exact integers (GMP). Expression templates are off: `auto` is a value.
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                              boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
 /// Exact rationals (GMP), always in lowest terms with a positive denominator.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,

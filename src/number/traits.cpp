@@ -17,15 +17,14 @@ Float nearest_hardware(const Rational& q) {
   }
   Scaled scaled = round_to_bits(q, Limits::digits);
   // The exponent of a number is one more than that of its leading bit.
-  const long exponent =
-      scaled.exponent + static_cast<long>(msb(Integer(abs(scaled.mantissa)))) + 1;
+  const long exponent = scaled.exponent + static_cast<long>(msb(Integer(abs(scaled.mantissa)))) + 1;
   if (exponent > Limits::max_exponent) {
     return static_cast<Float>(q.sign()) * Limits::infinity();
   }
   if (exponent < Limits::min_exponent) {  // subnormal: a multiple of the smallest number
     const long smallest = Limits::min_exponent - Limits::digits;
-    const Rational multiple = scale_by_power_of_two(Integer(numerator(q)), -smallest) /
-                              Rational(Integer(denominator(q)));
+    const Rational multiple =
+        scale_by_power_of_two(Integer(numerator(q)), -smallest) / Rational(Integer(denominator(q)));
     const Integer twice = 2 * numerator(multiple) + denominator(multiple) * multiple.sign();
     const Integer divisor = 2 * denominator(multiple);
     Integer rounded = twice / divisor;  // half away from zero, mended below

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 namespace lamina::report {
 
 std::string ray_text(const geometry::ExactRay& ray) {
@@ -33,8 +32,7 @@ std::vector<Column> columns(const Column& label_column) {
        "Total length of bounded intervals with a wrong medium, world units."},
       {"persistence", "persistence",
        "The longest run of exact intervals with a wrong medium on one ray."},
-      {"t_ulps", "t ulps",
-       "Largest error of t of a right first hit, in ulps of the number type."},
+      {"t_ulps", "t ulps", "Largest error of t of a right first hit, in ulps of the number type."},
       {"point_rel", "point", "Largest relative error of its point.", true},
       {"normal_rad", "normal", "Largest angle between its normal and the exact one, radians.",
        true},

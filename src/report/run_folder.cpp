@@ -84,6 +84,9 @@ Table table_from(const Json& json) {
     for (const Json& value : row) {
       table.rows.back().push_back(value_from(value));
     }
+    if (table.rows.back().size() != table.columns.size()) {
+      throw base::InputError("a row of '" + table.title + "' does not fit its columns");
+    }
   }
   return table;
 }
@@ -109,8 +112,8 @@ Found find_run(const std::filesystem::path& folder, const Record& settings) {
   }
   std::ifstream in(folder / kEnvironment, std::ios::binary);
   const Json found = Json::parse(in, nullptr, false);
-  const bool same = found.is_object() && found.contains("settings") &&
-                    found.at("settings") == to_json(settings);
+  const bool same =
+      found.is_object() && found.contains("settings") && found.at("settings") == to_json(settings);
   return same ? Found::ThisRun : Found::AnotherRun;
 }
 
@@ -136,9 +139,9 @@ std::vector<Table> read_run(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kTables;
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    throw base::InputError(
-        fmt::format("no run in '{}': '{}' cannot be read; `lamina run EXPERIMENT --out {}` makes it",
-                    folder.string(), file.string(), folder.string()));
+    throw base::InputError(fmt::format(
+        "no run in '{}': '{}' cannot be read; `lamina run EXPERIMENT --out {}` makes it",
+        folder.string(), file.string(), folder.string()));
   }
   try {
     std::vector<Table> tables;
@@ -148,7 +151,8 @@ std::vector<Table> read_run(const std::filesystem::path& folder) {
     }
     return tables;
   } catch (const Json::exception& error) {
-    throw base::InputError(fmt::format("'{}' is not a run's tables: {}", file.string(), error.what()));
+    throw base::InputError(
+        fmt::format("'{}' is not a run's tables: {}", file.string(), error.what()));
   }
 }
 

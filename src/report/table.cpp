@@ -82,13 +82,12 @@ std::vector<std::string> notes_below(const Table& table, const Shown& shown) {
         "Clopper-Pearson intervals; `< x` is 3/n where none was seen in n rays.");
   }
   if (!shown.all_zero.empty()) {
-    notes.push_back(fmt::format("Zero in every row, not shown: {}.",
-                                fmt::join(shown.all_zero, ", ")));
+    notes.push_back(
+        fmt::format("Zero in every row, not shown: {}.", fmt::join(shown.all_zero, ", ")));
   }
   for (const std::size_t c : shown.columns) {
     if (!table.columns[c].definition.empty()) {
-      notes.push_back(
-          fmt::format("{}: {}", table.columns[c].heading, table.columns[c].definition));
+      notes.push_back(fmt::format("{}: {}", table.columns[c].heading, table.columns[c].definition));
     }
   }
   notes.insert(notes.end(), table.notes.begin(), table.notes.end());
@@ -144,11 +143,11 @@ std::vector<std::pair<std::string, nlohmann::ordered_json>> flat(const Table& ta
                      const census::Interval interval = census::clopper_pearson(rate.count, rate.n);
                      fields.emplace_back(name + "_count", rate.count);
                      fields.emplace_back(name + "_n", rate.n);
-                     fields.emplace_back(name + "_rate",
-                                         rate.n == 0 ? nlohmann::ordered_json(nullptr)
-                                                     : nlohmann::ordered_json(
-                                                           static_cast<double>(rate.count) /
-                                                           static_cast<double>(rate.n)));
+                     fields.emplace_back(
+                         name + "_rate",
+                         rate.n == 0 ? nlohmann::ordered_json(nullptr)
+                                     : nlohmann::ordered_json(static_cast<double>(rate.count) /
+                                                              static_cast<double>(rate.n)));
                      fields.emplace_back(name + "_lower", interval.lower);
                      fields.emplace_back(name + "_upper", interval.upper);
                    },
@@ -216,7 +215,13 @@ std::string escaped_latex(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '%': case '&': case '#': case '_': case '$': case '{': case '}':
+      case '%':
+      case '&':
+      case '#':
+      case '_':
+      case '$':
+      case '{':
+      case '}':
         escaped += '\\';
         escaped += c;
         break;
@@ -244,8 +249,8 @@ std::string escaped_latex(std::string_view text) {
 
 std::string latex(const Table& table) {
   const Shown shown = shown_columns(table);
-  std::string text = fmt::format("% {}\n\\begin{{tabular}}{{{:l<{}}}}\n\\toprule\n", table.title, "",
-                                 shown.columns.size());
+  std::string text = fmt::format("% {}\n\\begin{{tabular}}{{{:l<{}}}}\n\\toprule\n", table.title,
+                                 "", shown.columns.size());
   const auto line = [&text](const std::vector<std::string>& cells) {
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   };

@@ -18,9 +18,9 @@ struct Rate {
 using Value = std::variant<std::string, std::uint64_t, double, Rate>;
 
 struct Column {
-  std::string name;        ///< snake_case, for CSV and JSON
-  std::string heading;     ///< for people
-  std::string definition;  ///< one sentence; empty where the heading says it all
+  std::string name;                ///< snake_case, for CSV and JSON
+  std::string heading;             ///< for people
+  std::string definition;          ///< one sentence; empty where the heading says it all
   bool only_for_programs = false;  ///< in CSV and JSON, not in Markdown and LaTeX
 };
 

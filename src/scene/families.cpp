@@ -96,24 +96,22 @@ Solid make_solid(Shape shape, SeededStream& stream) {
   const Length height = random_length(stream, 1, 4);
   switch (shape) {
     case kBox:
-      return {fmt::format("translate([{0}, {0}, 0]) cube([{1}, {1}, {2}]);",
-                          (-width / 2).text(), width.text(),
-                          height.text()),
+      return {fmt::format("translate([{0}, {0}, 0]) cube([{1}, {1}, {2}]);", (-width / 2).text(),
+                          width.text(), height.text()),
               width.value() / 2, height};
     case kCylinder:
       return {fmt::format("cylinder(h={}, r={});", height.text(), width.text()), width.value(),
               height};
     case kCone:
-      return {
-          fmt::format("cylinder(h={}, r1={}, r2={});", height.text(), width.text(),
-                      (width / 2).text()),
-          width.value(), height};
+      return {fmt::format("cylinder(h={}, r1={}, r2={});", height.text(), width.text(),
+                          (width / 2).text()),
+              width.value(), height};
     case kSphere:
       return {fmt::format("sphere({});", width.text()), width.value(), height, false};
     case kTorus:
     default:
-      return {fmt::format("torus({}, {});", width.text(), (width / 3).text()), width.value() * 4 / 3,
-              height, false};
+      return {fmt::format("torus({}, {});", width.text(), (width / 3).text()),
+              width.value() * 4 / 3, height, false};
   }
 }
 

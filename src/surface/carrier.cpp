@@ -16,8 +16,8 @@ using number::Integer;
 using number::IntegerPolynomial;
 using number::Rational;
 
-using Exponents = std::array<int, 4>;           // of x, y, z, w
-using Form = std::map<Exponents, Rational>;     // a homogeneous polynomial
+using Exponents = std::array<int, 4>;        // of x, y, z, w
+using Form = std::map<Exponents, Rational>;  // a homogeneous polynomial
 
 // The monomials of a degree in x, y, z, w: x^d first, w^d last.
 const std::vector<Exponents>& monomials_of(int degree) {
@@ -60,7 +60,9 @@ std::array<Form, 4> local_coordinates(const AffineMap& to_local) {
   std::array<Form, 4> forms;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& row = to_local.rows[i];
-    forms[i] = {{{1, 0, 0, 0}, row[0]}, {{0, 1, 0, 0}, row[1]}, {{0, 0, 1, 0}, row[2]},
+    forms[i] = {{{1, 0, 0, 0}, row[0]},
+                {{0, 1, 0, 0}, row[1]},
+                {{0, 0, 1, 0}, row[2]},
                 {{0, 0, 0, 1}, row[3]}};
   }
   forms[3] = {{{0, 0, 0, 1}, Rational(1)}};
@@ -86,8 +88,7 @@ Form world_form(const LocalSurface& surface, const AffineMap& to_local) {
       const Rational major_squared = c[0] * c[0];
       const Form ww = multiply(w, w);
       const Form across = add(multiply(x, x), multiply(y, y), 1);
-      const Form inner =
-          add(add(across, multiply(z, z), 1), ww, major_squared - c[1] * c[1]);
+      const Form inner = add(add(across, multiply(z, z), 1), ww, major_squared - c[1] * c[1]);
       return add(multiply(inner, inner), multiply(across, ww), -4 * major_squared);
     }
   }
@@ -144,7 +145,9 @@ std::strong_ordering operator<=>(const Carrier& a, const Carrier& b) {
 
 OrientedCarrier carrier_of(const LocalSurface& surface, const AffineMap& to_local) {
   Form form = world_form(surface, to_local);
-  const int written_degree = surface.kind == Kind::Plane ? 1 : surface.kind == Kind::Quadric ? 2 : 4;
+  const int written_degree = surface.kind == Kind::Plane     ? 1
+                             : surface.kind == Kind::Quadric ? 2
+                                                             : 4;
   OrientedCarrier result;
   result.carrier.degree = reduce_degree(form, written_degree);
 
@@ -214,8 +217,7 @@ const std::vector<RayMonomials::Polynomial>& RayMonomials::monomials(int degree)
     Exponents rest = exponents;
     --rest[coordinate];
     const auto position = std::find(lower_exponents.begin(), lower_exponents.end(), rest);
-    result.push_back(
-        multiply(coordinates_[coordinate], lower[position - lower_exponents.begin()]));
+    result.push_back(multiply(coordinates_[coordinate], lower[position - lower_exponents.begin()]));
   }
   return result;
 }

@@ -56,7 +56,7 @@ class RayMonomials {
 /// Exact sign of the carrier's f at a point: -1, 0 or 1.
 int sign_at(const Carrier& carrier, const geometry::ExactPoint& point);
 
-/// Exact gradient of f at a point.
+/// The gradient of f at a point times a positive constant: its direction, exact.
 geometry::ExactPoint gradient_at(const Carrier& carrier, const geometry::ExactPoint& point);
 
 }  // namespace lamina::surface

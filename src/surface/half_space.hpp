@@ -24,7 +24,8 @@ struct LocalSurface {
   friend bool operator==(const LocalSurface&, const LocalSurface&) = default;
 };
 
-LocalSurface plane(const geometry::ExactPoint& normal, const number::Rational& offset);  ///< n.p <= offset
+LocalSurface plane(const geometry::ExactPoint& normal,
+                   const number::Rational& offset);  ///< n.p <= offset
 LocalSurface sphere(const number::Rational& radius);
 LocalSurface infinite_cylinder(const number::Rational& radius);  ///< axis z
 /// x^2 + y^2 <= (slope * (z - apex))^2: both nappes, axis z.

@@ -5,8 +5,8 @@
 
 namespace lamina::surface {
 
-#define LAMINA_INSTANTIATE(Number)     \
-  template class RoundedMap<Number>;   \
+#define LAMINA_INSTANTIATE(Number)   \
+  template class RoundedMap<Number>; \
   template class RoundedSurface<Number>;
 LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_INSTANTIATE)
 #undef LAMINA_INSTANTIATE

@@ -16,8 +16,7 @@ RoundedMap<Number>::RoundedMap(const geometry::AffineMap& exact) {
 }
 
 template <RoundedNumber Number>
-geometry::Vector3<Number> RoundedMap<Number>::direction(
-    const geometry::Vector3<Number>& v) const {
+geometry::Vector3<Number> RoundedMap<Number>::direction(const geometry::Vector3<Number>& v) const {
   const auto row = [&v](const std::array<Number, 4>& r) -> Number {
     return r[0] * v.x + r[1] * v.y + r[2] * v.z;
   };

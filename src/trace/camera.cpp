@@ -36,8 +36,7 @@ geometry::ExactRay pixel_ray(const scene::Camera& camera, const ImageSize& size,
   const Vector forward = normalised(to_double(camera.look_at) - eye);
   const Vector right = normalised(cross(forward, to_double(camera.up)));
   const Vector up = cross(right, forward);
-  const double half_height =
-      std::tan(number::nearest_double(camera.fov_degrees) * M_PI / 360);
+  const double half_height = std::tan(number::nearest_double(camera.fov_degrees) * M_PI / 360);
   const double pixel = 2 * half_height / size.height;
   const double across = (x + 0.5 - 0.5 * size.width) * pixel;
   const double upward = (0.5 * size.height - y - 0.5) * pixel;

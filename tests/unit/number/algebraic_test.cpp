@@ -123,7 +123,8 @@ TEST(CompareTest, OrdersQuadraticSurdsExactly) {
     Rational b2 = b1;
     const std::uint64_t kind = stream.below(3);
     if (kind == 1) {
-      a2 += Rational(1, Integer(boost::multiprecision::pow(Integer(10), static_cast<unsigned>(stream.below(40)))));
+      a2 += Rational(1, Integer(boost::multiprecision::pow(
+                            Integer(10), static_cast<unsigned>(stream.below(40)))));
     } else if (kind == 2) {
       a2 = Rational(stream.integer(-50, 50), 3);
       b2 = Rational(stream.integer(1, 9), 2);

@@ -45,7 +45,8 @@ Rational random_rational(base::SeededStream& stream) {
   // Within 2^-60 .. 2^60, so that products stay in float's range.
   const Rational magnitude(Integer(stream.bits() >> 24U), Integer((stream.bits() >> 24U) | 1U));
   const Rational shift(Integer(1) << static_cast<unsigned>(stream.below(20)));
-  const Rational value = stream.chance(0.5) ? Rational(magnitude * shift) : Rational(magnitude / shift);
+  const Rational value =
+      stream.chance(0.5) ? Rational(magnitude * shift) : Rational(magnitude / shift);
   return stream.chance(0.5) ? value : Rational(-value);
 }
 
@@ -58,7 +59,8 @@ TYPED_TEST(TraitsTest, RoundsToNearestAndReadsBack) {
     const Rational nearest = rounded_by_hand(q, kBits);
     EXPECT_EQ(Traits::to_exact(Traits::from_exact(q)), nearest) << "case " << case_id;
     // A tie between two neighbours, and one just off it.
-    const Rational above = nearest * (1 + Rational(1, Integer(1) << static_cast<unsigned>(kBits - 1)));
+    const Rational above =
+        nearest * (1 + Rational(1, Integer(1) << static_cast<unsigned>(kBits - 1)));
     const Rational next = rounded_by_hand(above, kBits);
     const Rational tie = (nearest + next) / 2;
     EXPECT_EQ(Traits::to_exact(Traits::from_exact(tie)), rounded_by_hand(tie, kBits));
@@ -129,8 +131,9 @@ TYPED_TEST(TraitsTest, StatesItsBits) {
   const TypeParam u = unit_roundoff<TypeParam>();
   EXPECT_EQ(one + u, one);  // a tie, to even
   EXPECT_GT(one + 2 * u, one);
-  EXPECT_EQ(Traits::to_exact(u) * Rational(Integer(1) << static_cast<unsigned>(Traits::kSignificandBits)),
-            1);
+  EXPECT_EQ(
+      Traits::to_exact(u) * Rational(Integer(1) << static_cast<unsigned>(Traits::kSignificandBits)),
+      1);
 }
 
 TEST(HardwareRoundingTest, HandlesTheEndsOfTheRange) {
@@ -142,8 +145,9 @@ TEST(HardwareRoundingTest, HandlesTheEndsOfTheRange) {
   const Rational largest(std::numeric_limits<double>::max());
   EXPECT_EQ(number_traits<double>::from_exact(largest * 2),
             std::numeric_limits<double>::infinity());
-  EXPECT_EQ(number_traits<float>::from_exact(Rational(std::numeric_limits<float>::denorm_min()) * 5 / 4),
-            std::numeric_limits<float>::denorm_min());
+  EXPECT_EQ(
+      number_traits<float>::from_exact(Rational(std::numeric_limits<float>::denorm_min()) * 5 / 4),
+      std::numeric_limits<float>::denorm_min());
   EXPECT_EQ(number_traits<float>::from_exact(-largest), -std::numeric_limits<float>::infinity());
   EXPECT_EQ(number_traits<long double>::from_exact(largest * 4),
             4 * static_cast<long double>(std::numeric_limits<double>::max()));

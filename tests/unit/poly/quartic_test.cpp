@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-#include "number/all_numbers.hpp"
 #include "number/algebraic.hpp"
+#include "number/all_numbers.hpp"
 #include "support/number_types.hpp"
 
 namespace lamina::poly {
 namespace {
 
-using number::Rational;
 using number::parse_rational;
+using number::Rational;
 
 template <typename Number>
 class QuarticTest : public ::testing::Test {
@@ -99,8 +99,7 @@ TYPED_TEST(QuarticTest, TwoRootTrapHasTwoRoots) {
     return;
   }
   ASSERT_EQ(truth.size(), 2U);
-  const double bound =
-      std::ldexp(2e4, -number::number_traits<TypeParam>::kSignificandBits);
+  const double bound = std::ldexp(2e4, -number::number_traits<TypeParam>::kSignificandBits);
   for (const auto solver : {QuarticSolver::Monotone, QuarticSolver::Ferrari}) {
     const auto roots = quartic_crossings(c, solver);
     ASSERT_EQ(roots.count, truth.size());
