@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/contract.hpp"
@@ -44,7 +45,8 @@ Value value_from(const Json& json) {
     return json.get<std::uint64_t>();
   }
   if (json.contains("real")) {
-    return json.at("real").get<double>();
+    const Json& real = json.at("real");  // JSON has no infinities: they are written as null
+    return real.is_null() ? std::numeric_limits<double>::quiet_NaN() : real.get<double>();
   }
   return Rate{json.at("count").get<std::uint64_t>(), json.at("n").get<std::uint64_t>()};
 }
