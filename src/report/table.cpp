@@ -15,6 +15,8 @@ template <typename... Visitors>
 struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide
 
 // Three significant digits, never in exponent form, for percentages.
 std::string percent(double probability) {
