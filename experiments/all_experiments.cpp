@@ -1,17 +1,23 @@
+#include "experiments/all_experiments.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/contract.hpp"
-#include "experiments/coincident-faces/coincident_faces.hpp"
-#include "experiments/experiment.hpp"
-#include "experiments/ghost-cylinders/ghost_cylinders.hpp"
-#include "experiments/real-models/real_models.hpp"
 
 namespace lamina::experiments {
 
+report::Table artifact_table(const Experiment& experiment,
+                             const std::vector<report::LabelledCensus>& counted) {
+  return report::census_table(counted, experiment.labels, experiment.name);
+}
+
 const std::vector<Experiment>& all_experiments() {
-  static const std::vector<Experiment> all{coincident_faces(), ghost_cylinders(), real_models()};
+  static const std::vector<Experiment> all{
+      coincident_faces(), ghost_cylinders(), self_sum(),     self_difference(), touching_stack(),
+      thin_wall(),        epsilon_gap(),     epsilon_sweep(), precision(),      far_origin(),
+      start_state(),      near_tangent(),    order(),         four_cases(),     real_models()};
   return all;
 }
 

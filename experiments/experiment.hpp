@@ -1,10 +1,12 @@
 // What every experiment is, and the list of them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "census/census.hpp"
+#include "report/census_table.hpp"
 #include "report/table.hpp"
 
 namespace lamina::experiments {
@@ -15,22 +17,35 @@ struct Settings {
   scene::ReadOptions read;  ///< for experiments that read scene files
   std::uint64_t rays = 0;   ///< in all
   std::uint64_t seed = 1;
-  census::Progress progress;  ///< tasks done and in all; false stops
+  std::function<void(const std::string&)> warn;  ///< told what is left out of the run
 };
 
-struct Result {
-  std::vector<report::Table> tables;
-  bool interrupted = false;
+/// Rays of one kind through scenes of one kind: their counts are added up.
+struct Series {
+  std::vector<census::Label> labels;  ///< one for each label column of the experiment
+  census::Plan plan;
+  std::size_t tasks = 0;
+  census::TaskMaker task;  ///< task 0 .. tasks-1; keeps what it needs by value
 };
 
 struct Experiment {
   std::string name;      ///< also its folder
   std::string question;  ///< one sentence
   std::string source;    ///< paper and section
+  std::vector<report::Column> labels;  ///< what sets series apart
   std::uint64_t default_rays = 0;
-  std::vector<std::string> default_numbers;  ///< empty: all number types
-  Result (*run)(const Settings&) = nullptr;
+  std::string default_methods = "all";
+  std::string default_numbers = "all";
+  std::vector<Series> (*series)(const Settings&) = nullptr;
+  /// The tables of what has been counted so far, in the order of the series. Null:
+  /// artifact_table alone.
+  std::vector<report::Table> (*tables)(const Experiment&,
+                                       const std::vector<report::LabelledCensus>&) = nullptr;
 };
+
+/// The table that every experiment has.
+report::Table artifact_table(const Experiment& experiment,
+                             const std::vector<report::LabelledCensus>& counted);
 
 const std::vector<Experiment>& all_experiments();
 

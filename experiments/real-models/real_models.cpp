@@ -1,23 +1,25 @@
-#include "experiments/real-models/real_models.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "base/contract.hpp"
 #include "census/truth.hpp"
-#include "experiments/family_census.hpp"
+#include "experiments/all_experiments.hpp"
 #include "experiments/real-models/corpus.hpp"
-#include "report/census_table.hpp"
 #include "scene/rays.hpp"
 
 namespace lamina::experiments {
 namespace {
 
+enum class Aim : std::uint8_t { Coincident, Uniform };
+
+std::string name_of(Aim aim) { return aim == Aim::Uniform ? "uniform" : "coincident"; }
+
 struct Model {
-  std::string path;
   std::string name;
-  scene::Scene scene;
+  std::shared_ptr<const scene::Scene> scene;
 };
 
 // Does the order of coincident events matter on this ray: do two leaves own an interface, or
@@ -50,115 +52,117 @@ std::vector<geometry::ExactRay> draw_rays(const scene::Scene& scene, Aim aim, st
   return rays;
 }
 
-census::Census model_census(const Model& model, Aim aim, std::uint64_t rays,
-                            const Settings& settings) {
-  constexpr std::uint64_t kRaysPerTask = 50;
-  const std::size_t tasks = (rays + kRaysPerTask - 1) / kRaysPerTask;
-  return census::run_census(
-      settings.plan, tasks,
-      [&](std::size_t index) {
-        base::SeededStream stream(fmt::format("real-models/{}/{}", model.name, aim_name(aim)),
-                                  settings.seed, index);
-        const std::uint64_t count = std::min(kRaysPerTask, rays - index * kRaysPerTask);
-        return census::Task{model.scene, draw_rays(model.scene, aim, count, stream)};
-      },
-      [](auto, auto) { return true; });
-}
-
-report::Table model_table(Aim aim) {
-  report::Table table;
-  table.title =
-      fmt::format("real-models: first visible interface wrong, by model, {}",
-                  aim == Aim::Uniform ? "uniform rays" : "rays that meet coincident faces");
-  table.columns = {{"model", "model", ""},
-                   {"leaves", "leaves", "Half-spaces of the model."},
-                   {"shared", "shared", "Carriers that two leaves or more have."},
-                   {"rays", "rays", ""}};
-  return table;
-}
-
-void add_model_row(report::Table& table, const Model& model, const census::Census& census) {
-  const auto shared =
-      std::count_if(model.scene.leaves_of_carrier.begin(), model.scene.leaves_of_carrier.end(),
-                    [](const auto& leaves) { return leaves.size() > 1; });
-  std::vector<report::Value> row{model.name, std::uint64_t(model.scene.leaves.size()),
-                                 static_cast<std::uint64_t>(shared), census.rays};
-  const bool first = table.rows.empty();
-  for (const census::Cell& cell : census.cells) {
-    if (first) {
-      table.columns.push_back({fmt::format("{}_{}", cell.method, cell.number),
-                               fmt::format("{} {}", cell.method, cell.number), ""});
-    }
-    row.emplace_back(report::Rate{cell[census::Artifact::FirstWrong], cell.rays});
-  }
-  table.rows.push_back(std::move(row));
-}
-
-Result run(const Settings& settings) {
+std::vector<Model> read_models(const Settings& settings) {
   std::vector<Model> models;
-  std::vector<std::string> unread;
   for (const auto& path : corpus_models()) {
     try {
-      models.push_back(
-          {path.string(), path.stem().string(), scene::read_scene(path.string(), settings.read)});
+      auto scene = std::make_shared<scene::Scene>(scene::read_scene(path.string(), settings.read));
+      if (scene->bounds) {
+        models.push_back({path.stem().string(), std::move(scene)});
+      }
     } catch (const base::InputError& error) {
       const std::string message = error.what();
-      unread.push_back(
-          path.filename().string() +
-          message.substr(path.string().size(), message.find('\n') - path.string().size()));
+      settings.warn("not read: " + message.substr(0, message.find('\n')));
     }
   }
   if (models.empty()) {
     throw base::InputError(fmt::format("no model in '{}' could be read", corpus_folder().string()));
   }
-  const std::uint64_t rays_per_model =
-      std::max<std::uint64_t>(1, settings.rays / (2 * models.size()));
-  Result result;
-  std::vector<report::LabelledCensus> censuses;
-  std::vector<report::Table> by_model_tables;
-  std::size_t done = 0;
+  return models;
+}
+
+constexpr std::uint64_t kRaysPerTask = 50;
+
+std::vector<Series> series(const Settings& settings) {
+  const std::vector<Model> models = read_models(settings);
+  const std::uint64_t rays = std::max<std::uint64_t>(1, settings.rays / (2 * models.size()));
+  std::vector<Series> all;
   for (const Aim aim : {Aim::Coincident, Aim::Uniform}) {
-    census::Census sum;
-    report::Table by_model = model_table(aim);
     for (const Model& model : models) {
-      if (!model.scene.bounds) {
-        continue;
-      }
-      const census::Census census = model_census(model, aim, rays_per_model, settings);
-      if (sum.cells.empty()) {
-        sum = census;
-      } else {
-        sum.merge(census);
-      }
-      add_model_row(by_model, model, census);
-      if (!settings.progress(++done, 2 * models.size())) {
-        result.interrupted = sum.interrupted = true;
-        break;
-      }
-    }
-    censuses.push_back({aim_name(aim), std::move(sum)});
-    by_model_tables.push_back(std::move(by_model));
-    if (result.interrupted) {
-      break;
+      const auto& carriers = model.scene->leaves_of_carrier;
+      const auto shared = std::count_if(carriers.begin(), carriers.end(),
+                                        [](const auto& leaves) { return leaves.size() > 1; });
+      const auto task = [model, aim, rays, seed = settings.seed](std::size_t index) {
+        base::SeededStream stream(fmt::format("real-models/{}/{}", model.name, name_of(aim)), seed,
+                                  index);
+        const std::uint64_t count = std::min(kRaysPerTask, rays - index * kRaysPerTask);
+        return census::Task{*model.scene, draw_rays(*model.scene, aim, count, stream)};
+      };
+      all.push_back({{name_of(aim), model.name, std::uint64_t(model.scene->leaves.size()),
+                      static_cast<std::uint64_t>(shared)},
+                     settings.plan,
+                     static_cast<std::size_t>((rays + kRaysPerTask - 1) / kRaysPerTask),
+                     task});
     }
   }
-  result.tables.push_back(report::census_table(censuses, aim_column(), "real-models"));
-  std::move(by_model_tables.begin(), by_model_tables.end(), std::back_inserter(result.tables));
-  for (const std::string& message : unread) {
-    result.tables.back().notes.push_back("Not read: " + message);
+  return all;
+}
+
+// First visible interface wrong: a row for each model, a column for each method and number type.
+report::Table model_table(const Experiment& experiment, const std::string& aim,
+                          const std::vector<report::LabelledCensus>& counted) {
+  report::Table table{"models-" + aim,
+                      fmt::format("real-models: first visible interface wrong, {} rays", aim),
+                      {experiment.labels.begin() + 1, experiment.labels.end()},
+                      {},
+                      {}};
+  table.columns.push_back({"rays", "rays", ""});
+  for (const auto& [labels, census] : counted) {
+    if (labels[0] != census::Label(aim)) {
+      continue;
+    }
+    std::vector<report::Value> row;
+    std::transform(labels.begin() + 1, labels.end(), std::back_inserter(row), report::value_of);
+    row.emplace_back(census.rays);
+    for (const census::Cell& cell : census.cells) {
+      if (table.rows.empty()) {
+        table.columns.push_back({fmt::format("{}_{}", cell.method, cell.number),
+                                 fmt::format("{} {}", cell.method, cell.number), ""});
+      }
+      row.emplace_back(report::Rate{cell[census::Artifact::FirstWrong], cell.rays});
+    }
+    table.rows.push_back(std::move(row));
   }
-  return result;
+  return table;
+}
+
+// All models together: one census for each kind of rays.
+std::vector<report::LabelledCensus> over_models(
+    const std::vector<report::LabelledCensus>& counted) {
+  std::vector<report::LabelledCensus> sums;
+  for (const auto& [labels, census] : counted) {
+    if (sums.empty() || sums.back().labels[0] != labels[0]) {
+      sums.push_back({{labels[0]}, census});
+    } else {
+      sums.back().census.merge(census);
+    }
+  }
+  return sums;
+}
+
+std::vector<report::Table> tables(const Experiment& experiment,
+                                  const std::vector<report::LabelledCensus>& counted) {
+  return {report::census_table(over_models(counted), {experiment.labels[0]}, experiment.name),
+          model_table(experiment, name_of(Aim::Coincident), counted),
+          model_table(experiment, name_of(Aim::Uniform), counted)};
 }
 
 }  // namespace
 
 Experiment real_models() {
-  return {"real-models",
-          "How often does each method see something else on real OpenSCAD models?",
-          "Wyvill and Trotman 1990, section 2, on models that people made",
-          22'000,
-          {"float", "double", "exact"},
-          run};
+  return {.name = "real-models",
+          .question = "How often does each method see something else on real OpenSCAD models?",
+          .source = "Wyvill and Trotman 1990, section 2, on models that people made",
+          .labels = {{"aim", "aim",
+                      "Where rays go: uniform, at a random point of the bounding box; coincident, "
+                      "those of them on which coincident faces matter."},
+                     {"model", "model", ""},
+                     {"leaves", "leaves", "Half-spaces of the model."},
+                     {"shared", "shared", "Carriers that two leaves or more have."}},
+          .default_rays = 22'000,
+          .default_numbers = "float,double,exact",
+          .series = series,
+          .tables = tables};
 }
 
 }  // namespace lamina::experiments

@@ -1,6 +1,7 @@
 #include "base/environment.hpp"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 #include <sys/utsname.h>
 #include <tbb/version.h>
 
@@ -43,6 +44,7 @@ std::vector<std::pair<std::string, std::string>> environment() {
           {"flags", LAMINA_FLAGS},
           {"fmt", fmt::format("{}", FMT_VERSION)},
           {"onetbb", fmt::format("{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR)},
+          {"sqlite", sqlite3_libversion()},
           {"processor", processor()},
           {"system", system_name()}};
 }

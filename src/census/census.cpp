@@ -7,8 +7,9 @@
 #include <cmath>
 #include <memory>
 
+#include "census/order.hpp"
+
 namespace lamina::census {
-namespace {
 
 Census empty_census(const Plan& plan) {
   Census census;
@@ -21,45 +22,17 @@ Census empty_census(const Plan& plan) {
       census.cells.push_back(std::move(cell));
     }
   }
+  for (const method::NumberChoice& number : plan.numbers) {
+    for (std::size_t a = 0; a < plan.methods.size(); ++a) {
+      for (std::size_t b = a + 1; b < plan.methods.size(); ++b) {
+        census.pairs.push_back({number.name, plan.methods[a].name, plan.methods[b].name});
+      }
+    }
+  }
   return census;
 }
 
-// One number type of one scene.
-struct Lane {
-  std::unique_ptr<method::Tracer> tracer;
-  Judge judge;
-};
-
-// Of the interfaces that the method missed, the number that it misses in exact arithmetic
-// too: what an epsilon does wrong without any rounding.
-class EpsilonHoles {
- public:
-  explicit EpsilonHoles(const Task& task, const Truth& truth)
-      : truth_(truth),
-        tracer_(method::make_tracer<number::exact>(task.scene, {})),
-        judge_(truth, *tracer_, task.scene.leaves.size()) {}
-
-  std::uint32_t count(const method::Method& method, const geometry::ExactRay& ray,
-                      const std::vector<bool>& reported) {
-    tracer_->find(ray);
-    tracer_->run(method, report_);
-    judge_.match();
-    static_cast<void>(judge_.judge(report_, 0));
-    std::uint32_t holes = 0;
-    for (std::size_t c = 0; c < reported.size(); ++c) {
-      holes += truth_.classes()[c].is_interface() && !reported[c] && !judge_.reported_classes()[c]
-                   ? 1
-                   : 0;
-    }
-    return holes;
-  }
-
- private:
-  const Truth& truth_;
-  std::unique_ptr<method::Tracer> tracer_;
-  Judge judge_;
-  method::Report report_;
-};
+namespace {
 
 void note_worst(Cell& cell, const Verdict& verdict, const Task& task,
                 const geometry::ExactRay& ray) {
@@ -73,53 +46,111 @@ void note_worst(Cell& cell, const Verdict& verdict, const Task& task,
   cell.worst = WorstCase{task.scene.name, ray, kinds, verdict.wrong_length};
 }
 
-Census run_task(const Plan& plan, const Task& task) {
-  Census census = empty_census(plan);
-  const std::size_t leaf_count = task.scene.leaves.size();
-  Truth truth(task.scene);
-  EpsilonHoles epsilon_holes(task, truth);
-  std::vector<Lane> lanes;
-  for (const method::NumberChoice& number : plan.numbers) {
-    auto tracer = number.make_tracer(task.scene, plan.solvers);
-    const method::Tracer& made = *tracer;
-    lanes.push_back({std::move(tracer), Judge(truth, made, leaf_count)});
-  }
-  method::Report report;
-  for (const geometry::ExactRay& ray : task.rays) {
-    ++census.rays;
-    truth.find(ray);
-    if (truth.in_some_carrier()) {
-      ++census.in_carrier;
-      continue;
+// Judges the rays of one task, one after the other.
+class TaskRun {
+ public:
+  TaskRun(const Plan& plan, const Task& task)
+      : plan_(plan),
+        task_(task),
+        census_(empty_census(plan)),
+        truth_(task.scene),
+        attribution_(task.scene, truth_, plan.methods, plan.numbers),
+        orders_(task.scene, plan.random_orders),
+        wrong_(plan.methods.size()),
+        reports_(plan.methods.size()) {
+    for (const method::NumberChoice& number : plan.numbers) {
+      auto tracer = number.make_tracer(task.scene, plan.solvers);
+      const method::Tracer& made = *tracer;
+      lanes_.push_back({std::move(tracer), Judge(truth_, made, task.scene.leaves.size())});
     }
-    const auto& classes = truth.classes();
-    census.with_coincidence += std::any_of(classes.begin(), classes.end(),
-                                           [](const auto& cls) { return cls.leaves.size() > 1; })
-                                   ? 1
-                                   : 0;
+  }
+
+  Census run() {
+    for (const geometry::ExactRay& ray : task_.rays) {
+      ++census_.rays;
+      truth_.find(ray);
+      if (truth_.in_some_carrier()) {
+        ++census_.in_carrier;
+        continue;
+      }
+      const auto& classes = truth_.classes();
+      census_.with_coincidence += std::any_of(classes.begin(), classes.end(),
+                                              [](const auto& c) { return c.leaves.size() > 1; })
+                                      ? 1
+                                      : 0;
+      attribution_.find(ray);
+      for (std::size_t n = 0; n < lanes_.size(); ++n) {
+        judge(ray, n);
+      }
+    }
+    return std::move(census_);
+  }
+
+ private:
+  // One number type of the scene.
+  struct Lane {
+    std::unique_ptr<method::Tracer> tracer;
+    Judge judge;
+  };
+
+  void judge(const geometry::ExactRay& ray, std::size_t n) {
+    Lane& lane = lanes_[n];
     const double direction_length =
         std::sqrt(number::nearest_double(dot(ray.direction, ray.direction)));
-    for (std::size_t n = 0; n < lanes.size(); ++n) {
-      lanes[n].tracer->find(ray);
-      lanes[n].judge.match();
-      for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-        Cell& cell = census.cells[m * lanes.size() + n];
-        lanes[n].tracer->run(plan.methods[m], report);
-        Verdict verdict = lanes[n].judge.judge(report, direction_length);
-        const bool missed = verdict[Artifact::MissedSolver] + verdict[Artifact::MissedLogic] +
-                                verdict[Artifact::MissedRange] >
-                            0;
-        if (missed && plan.methods[m].grouping == method::Grouping::WithinEpsilon) {
-          verdict[Artifact::EpsilonHole] =
-              epsilon_holes.count(plan.methods[m], ray, lanes[n].judge.reported_classes());
-        }
-        cell.add(verdict);
-        note_worst(cell, verdict, task, ray);
+    lane.tracer->find(ray);
+    lane.judge.match();
+    for (std::size_t m = 0; m < plan_.methods.size(); ++m) {
+      const method::Method& method = plan_.methods[m];
+      lane.tracer->run(method, reports_[m]);
+      Verdict verdict = lane.judge.judge(reports_[m], direction_length);
+      if (verdict.missed() && method.grouping == method::Grouping::WithinEpsilon) {
+        verdict[Artifact::EpsilonHole] =
+            attribution_.missed_in_exact(m, lane.judge.reported_classes());
+      }
+      Cell& cell = cell_of(m, n);
+      cell.add(verdict);
+      wrong_[m] = verdict[Artifact::FirstWrong] > 0;
+      if (wrong_[m]) {
+        ++cell.caused[static_cast<std::size_t>(attribution_.cause(m, n))];
+      }
+      note_worst(cell, verdict, task_, ray);
+    }
+    count_pairs(n);
+    count_orders(*lane.tracer, n);
+  }
+
+  void count_pairs(std::size_t n) {
+    const std::size_t methods = plan_.methods.size();
+    auto pair = census_.pairs.begin() + static_cast<std::ptrdiff_t>(n * methods * (methods - 1) / 2);
+    for (std::size_t a = 0; a < methods; ++a) {
+      for (std::size_t b = a + 1; b < methods; ++b, ++pair) {
+        pair->only_first_wrong += wrong_[a] && !wrong_[b] ? 1 : 0;
+        pair->only_second_wrong += wrong_[b] && !wrong_[a] ? 1 : 0;
       }
     }
   }
-  return census;
-}
+
+  void count_orders(method::Tracer& tracer, std::size_t n) {
+    const auto& outcomes = orders_.outcomes(tracer, plan_.methods, reports_);
+    for (std::size_t m = 0; m < plan_.methods.size(); ++m) {
+      Cell& cell = cell_of(m, n);
+      cell.order_sensitive += outcomes[m] > 1 ? 1 : 0;
+      cell.most_outcomes = std::max(cell.most_outcomes, outcomes[m]);
+    }
+  }
+
+  Cell& cell_of(std::size_t m, std::size_t n) { return census_.cells[m * lanes_.size() + n]; }
+
+  const Plan& plan_;
+  const Task& task_;
+  Census census_;
+  Truth truth_;
+  Attribution attribution_;
+  OrderProbe orders_;
+  std::vector<Lane> lanes_;
+  std::vector<bool> wrong_;  // first interface, by method
+  std::vector<method::Report> reports_;  // by method
+};
 
 }  // namespace
 
@@ -146,6 +177,11 @@ void Cell::merge(const Cell& later) {
   for (std::size_t a = 0; a < kArtifactCount; ++a) {
     with[a] += later.with[a];
   }
+  for (std::size_t c = 0; c < kCauseCount; ++c) {
+    caused[c] += later.caused[c];
+  }
+  order_sensitive += later.order_sensitive;
+  most_outcomes = std::max(most_outcomes, later.most_outcomes);
   wrong_length += later.wrong_length;
   persistence = std::max(persistence, later.persistence);
   lamina_fronts += later.lamina_fronts;
@@ -169,25 +205,35 @@ void Census::merge(const Census& later) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     cells[c].merge(later.cells[c]);
   }
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    pairs[p].only_first_wrong += later.pairs[p].only_first_wrong;
+    pairs[p].only_second_wrong += later.pairs[p].only_second_wrong;
+  }
 }
 
-Census run_census(const Plan& plan, std::size_t task_count,
-                  const std::function<Task(std::size_t)>& task, const Progress& progress) {
+Census run_tasks(const Plan& plan, std::size_t first, std::size_t last, const TaskMaker& task) {
   std::optional<tbb::global_control> limit;
   if (plan.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
   }
-  // Batches bound the memory, and are where progress shows and a run can stop.
-  constexpr std::size_t kBatch = 32;
+  std::vector<Census> parts(last - first);
+  tbb::parallel_for(first, last, [&](std::size_t i) {
+    const Task made = task(i);
+    parts[i - first] = TaskRun(plan, made).run();
+  });
   Census census = empty_census(plan);
-  for (std::size_t first = 0; first < task_count; first += kBatch) {
-    const std::size_t last = std::min(first + kBatch, task_count);
-    std::vector<Census> parts(last - first);
-    tbb::parallel_for(first, last,
-                      [&](std::size_t i) { parts[i - first] = run_task(plan, task(i)); });
-    for (const Census& part : parts) {
-      census.merge(part);
-    }
+  for (const Census& part : parts) {
+    census.merge(part);
+  }
+  return census;
+}
+
+Census run_census(const Plan& plan, std::size_t task_count, const TaskMaker& task,
+                  const Progress& progress) {
+  Census census = empty_census(plan);
+  for (std::size_t first = 0; first < task_count; first += kTasksPerBlock) {
+    const std::size_t last = std::min(first + kTasksPerBlock, task_count);
+    census.merge(run_tasks(plan, first, last, task));
     if (!progress(last, task_count) && last < task_count) {
       census.interrupted = true;
       break;

@@ -62,6 +62,12 @@ bool Verdict::right() const {
   return std::all_of(count.begin(), count.end(), [](std::uint32_t c) { return c == 0; });
 }
 
+bool Verdict::missed() const {
+  return (*this)[Artifact::MissedSolver] + (*this)[Artifact::MissedLogic] +
+             (*this)[Artifact::MissedRange] >
+         0;
+}
+
 Judge::Judge(const Truth& truth, const method::Tracer& tracer, std::size_t leaf_count)
     : truth_(truth), tracer_(tracer), by_leaf_(leaf_count) {}
 

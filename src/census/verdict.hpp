@@ -56,6 +56,8 @@ struct Verdict {
   }
   std::uint32_t& operator[](Artifact a) { return count[static_cast<std::size_t>(a)]; }
   [[nodiscard]] bool right() const;
+  /// Is an interface of the truth not reported?
+  [[nodiscard]] bool missed() const;
 };
 
 inline constexpr std::uint32_t kNoCrossing = UINT32_MAX;

@@ -10,6 +10,7 @@
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "cli/tables.hpp"
 #include "report/census_table.hpp"
 #include "scene/rays.hpp"
 #include "trace/camera.hpp"
@@ -27,7 +28,7 @@ struct Options {
   std::string rays_file;
   std::uint64_t seed = 1;
   int threads = 0;
-  std::string format = "md";
+  TableOptions tables;
 };
 
 // Folders stand for the scene files in them.
@@ -86,7 +87,7 @@ census::Census scene_census(const scene::Scene& scene, const Options& options,
 }
 
 void run(const Options& options) {
-  const report::Format format = report::parse_format(options.format);
+  options.tables.check();
   const census::Plan plan{parse_methods(options.methods), parse_numbers(options.numbers),
                           options.solvers.solvers(), options.threads};
   const auto rays =
@@ -100,13 +101,18 @@ void run(const Options& options) {
     SceneOptions one = options.read;
     one.path = path;
     const scene::Scene scene = one.open();
-    censuses.push_back({path, scene_census(scene, options, plan, rays, progress_bar())});
+    censuses.push_back({{path}, scene_census(scene, options, plan, rays, progress_bar(path))});
     if (censuses.back().census.interrupted) {
       break;
     }
   }
-  const report::Table table = report::census_table(censuses, {"scene", "scene", ""}, "census");
-  fmt::print("{}", report::write(table, format));
+  const std::vector<report::Column> labels{{"scene", "scene", ""}};
+  std::vector<report::Table> tables{report::census_table(censuses, labels, "census"),
+                                    report::paired_table(censuses, labels, "census: in pairs")};
+  if (interrupted()) {
+    tables[0].notes.emplace_back("Interrupted: the counts are of the rays that were finished.");
+  }
+  print_tables(tables, options.tables);
 }
 
 }  // namespace
@@ -136,7 +142,7 @@ void add_census(CLI::App& app) {
   command->add_option("--seed", options->seed, "of the random rays")->capture_default_str();
   command->add_option("--threads", options->threads, "0: all; results do not depend on it")
       ->capture_default_str();
-  command->add_option("--format", options->format, "md, csv, json, latex")->capture_default_str();
+  options->tables.add_to(*command);
   options->solvers.add_to(*command);
   command->callback([options] { run(*options); });
 }

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/registry.hpp"
 #include "experiments/experiment.hpp"
+#include "scene/families.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -37,6 +38,12 @@ void add_list(CLI::App& app) {
       print(e.name, e.question);
     }
   });
+  command->add_subcommand("families", "seeded families of scenes, family:FAMILY:SEED:CASE")
+      ->callback([] {
+        for (const scene::Family& family : scene::families()) {
+          print(family.name + family.parameters, family.about);
+        }
+      });
   command->add_subcommand("solvers", "root finders, for --quadratic and --quartic")->callback([] {
     for (const SolverName& solver : solver_names()) {
       print(solver.name, solver.meaning);

@@ -24,11 +24,11 @@ void catch_interrupts() { std::signal(SIGINT, on_interrupt); }
 
 bool interrupted() { return g_interrupted != 0; }
 
-std::function<bool(std::uint64_t, std::uint64_t)> progress_bar() {
+std::function<bool(std::uint64_t, std::uint64_t)> progress_bar(const std::string& what) {
   using Clock = std::chrono::steady_clock;
   constexpr int kWidth = 40;
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
-  return [on_terminal, start = Clock::now(), last = std::make_shared<Clock::time_point>()](
+  return [on_terminal, label = what.empty() ? "" : what + " ", start = Clock::now(), last = std::make_shared<Clock::time_point>()](
              std::uint64_t done, std::uint64_t total) {
     const auto now = Clock::now();
     const bool finished = done >= total;
@@ -41,8 +41,8 @@ std::function<bool(std::uint64_t, std::uint64_t)> progress_bar() {
       // The bar is wiped when it is full: only results stay on the screen.
       fmt::print(stderr, "\r\033[K{}",
                  finished ? std::string()
-                          : fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left", "", filled, "",
-                                        kWidth - filled, 100 * part, left));
+                          : fmt::format("{}[{:#<{}}{:.<{}}] {:3.0f} %  {:.0f} s left", label, "",
+                                        filled, "", kWidth - filled, 100 * part, left));
       std::fflush(stderr);
     }
     return !interrupted();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 namespace lamina::cli {
 
@@ -11,7 +12,8 @@ void catch_interrupts();
 bool interrupted();
 
 /// Draws on standard error if that is a terminal, and nothing in a pipe. Returns false once
-/// Ctrl-C was pressed. `total` units of `what`.
-std::function<bool(std::uint64_t done, std::uint64_t total)> progress_bar();
+/// Ctrl-C was pressed. `what` stands in front of the bar.
+std::function<bool(std::uint64_t done, std::uint64_t total)> progress_bar(
+    const std::string& what = "");
 
 }  // namespace lamina::cli

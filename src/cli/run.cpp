@@ -1,15 +1,18 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "base/contract.hpp"
 #include "base/environment.hpp"
+#include "census/run_store.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "cli/tables.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/runner.hpp"
 #include "number/versions.hpp"
-#include "report/run_folder.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -18,43 +21,43 @@ struct Options {
   std::string experiment;
   SceneOptions read;
   SolverOptions solvers;
-  std::string methods = "all";
+  std::string methods;
   std::string numbers;
   std::uint64_t rays = 0;
   std::uint64_t seed = 1;
   int threads = 0;
   std::string out;
   bool resume = false;
-  std::string format = "md";
+  TableOptions tables;
 };
 
-std::vector<method::NumberChoice> numbers_of(const Options& options,
-                                             const experiments::Experiment& experiment) {
-  if (!options.numbers.empty() || experiment.default_numbers.empty()) {
-    return parse_numbers(options.numbers.empty() ? "all" : options.numbers);
-  }
-  return parse_numbers(fmt::format("{}", fmt::join(experiment.default_numbers, ",")));
+experiments::Settings settings_of(const Options& options,
+                                  const experiments::Experiment& experiment) {
+  experiments::Settings settings;
+  settings.plan = {
+      parse_methods(options.methods.empty() ? experiment.default_methods : options.methods),
+      parse_numbers(options.numbers.empty() ? experiment.default_numbers : options.numbers),
+      options.solvers.solvers(), options.threads};
+  settings.read = options.read.read;
+  settings.rays = options.rays == 0 ? experiment.default_rays : options.rays;
+  settings.seed = options.seed;
+  settings.warn = [](const std::string& message) { fmt::print(stderr, "{}\n", message); };
+  return settings;
 }
 
-std::string names_of(const std::vector<method::Method>& methods) {
+template <typename Named>
+std::string names_of(const std::vector<Named>& all) {
   std::vector<std::string> names;
-  for (const method::Method& method : methods) {
-    names.push_back(method.name);
+  for (const Named& one : all) {
+    names.push_back(one.name);
   }
   return fmt::format("{}", fmt::join(names, ","));
 }
 
-std::string names_of(const std::vector<method::NumberChoice>& numbers) {
-  std::vector<std::string> names;
-  for (const method::NumberChoice& number : numbers) {
-    names.push_back(number.name);
-  }
-  return fmt::format("{}", fmt::join(names, ","));
-}
-
-// Everything that the tables depend on.
-report::Record record_of(const Options& options, const experiments::Settings& settings) {
-  return {{"experiment", options.experiment},
+// Everything that the counts depend on.
+census::Record record_of(const Options& options, const experiments::Experiment& experiment,
+                         const experiments::Settings& settings) {
+  return {{"experiment", experiment.name},
           {"rays", fmt::format("{}", settings.rays)},
           {"seed", fmt::format("{}", settings.seed)},
           {"methods", names_of(settings.plan.methods)},
@@ -64,46 +67,92 @@ report::Record record_of(const Options& options, const experiments::Settings& se
           {"facets", settings.read.facets ? "yes" : "no"}};
 }
 
-// The run is in the folder already: true. Throws if something else is.
-bool is_done(const Options& options, const report::Record& settings) {
-  const report::Found found =
-      options.out.empty() ? report::Found::Nothing : report::find_run(options.out, settings);
-  if (found == report::Found::Nothing || (found == report::Found::ThisRun && options.resume)) {
-    return found == report::Found::ThisRun;
-  }
-  throw base::InputError(
-      fmt::format("folder '{}' has {}", options.out,
-                  found == report::Found::ThisRun
-                      ? "this run already: see it with `lamina table`, or give --resume"
-                      : "a run of other settings, which would be lost: name another folder"));
-}
-
-void run(const Options& options) {
-  const report::Format format = report::parse_format(options.format);
-  const experiments::Experiment& experiment = experiments::find_experiment(options.experiment);
-  experiments::Settings settings;
-  settings.plan = {parse_methods(options.methods), numbers_of(options, experiment),
-                   options.solvers.solvers(), options.threads};
-  settings.read = options.read.read;
-  settings.rays = options.rays == 0 ? experiment.default_rays : options.rays;
-  settings.seed = options.seed;
-  settings.progress = progress_bar();
-  const report::Record record = record_of(options, settings);
-  if (is_done(options, record)) {
-    fmt::print("{}", report::write(report::read_run(options.out), format));
-    return;
-  }
-  catch_interrupts();
-  const experiments::Result result = experiment.run(settings);
-  fmt::print("{}", report::write(result.tables, format));
-  if (options.out.empty() || result.interrupted) {
-    return;
-  }
-  report::Record environment = base::environment();
+census::Record environment() {
+  census::Record environment = base::environment();
   for (auto& version : number::library_versions()) {
     environment.push_back(std::move(version));
   }
-  report::write_run(options.out, result.tables, environment, record);
+  return environment;
+}
+
+std::string value_in(const census::Record& record, const std::string& name) {
+  for (const auto& [known, value] : record) {
+    if (known == name) {
+      return value;
+    }
+  }
+  return {};
+}
+
+// The folder's run, to go on with: it must be one of these settings.
+census::RunStore resumed(const std::filesystem::path& folder, const census::Record& settings,
+                         bool resume) {
+  census::RunStore store = census::RunStore::open(folder);
+  for (const auto& [name, value] : settings) {
+    if (const std::string there = value_in(store.settings(), name); there != value) {
+      throw base::InputError(
+          fmt::format("folder '{}' has a run of other settings ({} {}, here {}), which would be "
+                      "lost: name another folder",
+                      folder.string(), name, there, value));
+    }
+  }
+  if (!resume) {
+    throw base::InputError(fmt::format(
+        "folder '{0}' has this run already: see it with `lamina table {0}`, or give --resume to "
+        "go on with it",
+        folder.string()));
+  }
+  const std::string commit = value_in(environment(), "commit");
+  for (const census::Record& session : store.environments()) {
+    if (value_in(session, "commit") != commit) {
+      fmt::print(stderr, "note: '{}' was begun at commit {}, this is {}; both are recorded\n",
+                 folder.string(), value_in(session, "commit"), commit);
+      break;
+    }
+  }
+  return store;
+}
+
+census::RunStore store_of(const std::string& folder, const census::Record& settings, bool resume) {
+  if (folder.empty()) {
+    return census::RunStore::in_memory(settings);
+  }
+  return census::RunStore::exists(folder) ? resumed(folder, settings, resume)
+                                          : census::RunStore::begin(folder, settings);
+}
+
+void run_one(const Options& options, const experiments::Experiment& experiment,
+             const std::string& folder) {
+  const experiments::Settings settings = settings_of(options, experiment);
+  census::RunStore store =
+      store_of(folder, record_of(options, experiment, settings), options.resume);
+  store.add_environment(environment());
+  experiments::run_into(store, experiment.series(settings), progress_bar(experiment.name));
+  print_tables(experiments::tables_of(experiment, store), options.tables);
+  if (interrupted()) {
+    fmt::print(stderr, "{}\n",
+               folder.empty()
+                   ? "interrupted; with --out FOLDER what is finished would be kept"
+                   : fmt::format("interrupted; what is finished is in '{}': go on with --resume",
+                                 folder));
+  }
+}
+
+void run(const Options& options) {
+  options.tables.check();
+  const bool all = options.experiment == "all";
+  const std::vector<experiments::Experiment> chosen =
+      all ? experiments::all_experiments()
+          : std::vector{experiments::find_experiment(options.experiment)};
+  catch_interrupts();
+  for (const experiments::Experiment& experiment : chosen) {
+    if (interrupted()) {
+      break;
+    }
+    const bool below = all && !options.out.empty();
+    run_one(options, experiment,
+            below ? (std::filesystem::path(options.out) / experiment.name).string() : options.out);
+  }
 }
 
 }  // namespace
@@ -112,24 +161,24 @@ void add_run(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("run", "runs an experiment and prints its tables");
   command->footer(
-      "See `lamina list experiments`, and README.md in the experiment's folder. Ctrl-C stops "
-      "after\n"
-      "the work in hand and prints what is finished; only whole runs are kept in a folder.\n\n"
+      "See `lamina list experiments`, and README.md in the experiment's folder; `all` runs every\n"
+      "one. With --out the counts are kept in FOLDER/run.sqlite, block after block as they are\n"
+      "finished: neither Ctrl-C nor a kill loses more than the block in hand, and --resume goes\n"
+      "on from there. Every table is made from that file, here and by `lamina table`.\n\n"
       "Example: lamina run coincident-faces --rays 100000 --out results/coincident");
-  command->add_option("experiment", options->experiment)->required();
+  command->add_option("experiment", options->experiment, "its name, or all")->required();
   command->add_option("--rays", options->rays, "rays in all; 0: the experiment's own number")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "of scenes and rays")->capture_default_str();
-  command->add_option("--methods", options->methods, "separated by commas, or all")
-      ->capture_default_str();
+  command->add_option("--methods", options->methods,
+                      "separated by commas, or all; default: the experiment's own");
   command->add_option("--numbers", options->numbers,
                       "separated by commas, or all; default: the experiment's own");
   command->add_option("--threads", options->threads, "0: all; results do not depend on it")
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder for the finished tables, for `lamina table`");
-  command->add_flag("--resume", options->resume,
-                    "if that folder has this run already, print it instead of running again");
-  command->add_option("--format", options->format, "md, csv, json, latex")->capture_default_str();
+  command->add_option("--out", options->out, "folder to keep the run in; for all, one below it each");
+  command->add_flag("--resume", options->resume, "go on with the run that the folder has");
+  options->tables.add_to(*command);
   options->read.add_facets_to(*command);
   options->solvers.add_to(*command);
   command->callback([options] { run(*options); });

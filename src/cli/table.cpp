@@ -2,25 +2,42 @@
 
 #include <memory>
 
+#include "base/contract.hpp"
+#include "census/run_store.hpp"
 #include "cli/commands.hpp"
-#include "report/run_folder.hpp"
+#include "cli/tables.hpp"
+#include "experiments/runner.hpp"
 
 namespace lamina::cli {
+namespace {
+
+std::vector<report::Table> tables_in(const std::string& folder) {
+  const census::RunStore store = census::RunStore::open(folder);
+  for (const auto& [name, value] : store.settings()) {
+    if (name == "experiment") {
+      return experiments::tables_of(experiments::find_experiment(value), store);
+    }
+  }
+  throw base::InputError(fmt::format("the run in '{}' does not say of what experiment", folder));
+}
+
+}  // namespace
 
 void add_table(CLI::App& app) {
   struct Options {
     std::string folder;
-    std::string format = "md";
+    TableOptions tables;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("table", "prints the tables of a run kept by --out");
-  command->footer("Example: lamina table results/coincident --format latex");
+  command->footer(
+      "A run that is not finished shows what it has so far. CSV is one table, the first unless\n"
+      "--table names another.\n\n"
+      "Example: lamina table results/coincident --format latex\n"
+      "         lamina table results/coincident --table paired --format csv");
   command->add_option("dir", options->folder, "the folder that --out named")->required();
-  command->add_option("--format", options->format, "md, csv, json, latex")->capture_default_str();
-  command->callback([options] {
-    const report::Format format = report::parse_format(options->format);
-    fmt::print("{}", report::write(report::read_run(options->folder), format));
-  });
+  options->tables.add_to(*command);
+  command->callback([options] { print_tables(tables_in(options->folder), options->tables); });
 }
 
 }  // namespace lamina::cli

@@ -22,7 +22,7 @@ struct IgnoreEvents {
 template <number::RealNumber Number, typename OnEvent>
 class Classifier {
  public:
-  /// `step` is the method's epsilon in units of t.
+  /// `step` is the method's epsilon in units of t, and `reference` its reference distance.
   Classifier(const scene::Scene& scene, const RayEvents<Number>& events, csg::RayState& state,
              Report& report, OnEvent on_event)
       : scene_(scene),
@@ -32,12 +32,12 @@ class Classifier {
         report_(report),
         on_event_(on_event) {}
 
-  void run(const Method& method, const Number& step) {
+  void run(const Method& method, const Number& step, const Number& reference) {
     report_.clear();
     if (method.status == Status::Geometric) {
       run_geometric(method);
     } else {
-      run_carried(method, step);
+      run_carried(method, step, reference);
     }
   }
 
@@ -106,8 +106,8 @@ class Classifier {
     return medium != csg::kEmpty && scene_.materials[medium].opaque();
   }
 
-  void run_carried(const Method& method, const Number& step) {
-    state_.reset([this](csg::LeafIndex leaf) { return events_.starts_inside(leaf); });
+  void run_carried(const Method& method, const Number& step, const Number& reference) {
+    state_.reset([&](csg::LeafIndex leaf) { return events_.starts_inside(leaf, reference); });
     report_.start = state_.medium();
     std::uint32_t group = 0;
     for (std::size_t first = 0; first < crossings_.size(); ++group) {

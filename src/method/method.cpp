@@ -46,6 +46,7 @@ std::vector<MethodHelp> method_help() {
       {"wyvill-trotman", "one at a time, state carried and checked (Wyvill and Trotman 1990)"},
       {"wyvill-trotman:parity", "the same, entering and leaving from root parity"},
       {"wyvill-trotman:no-look-ahead", "the same, without their section 3.6"},
+      {"wyvill-trotman:reference:D", "the same, started a length D before a leaf (section 3.7)"},
   };
 }
 
@@ -95,6 +96,11 @@ Method parse_method(std::string_view text) {
       result.sense = Sense::Parity;
     } else if (result.check == Check::Validity && parts[i] == "no-look-ahead") {
       result.look_ahead = LookAhead::None;
+    } else if (result.check == Check::Validity && parts[i] == "reference") {
+      result.reference = ++i < parts.size() ? number::parse_rational(parts[i]) : 0;
+      if (result.reference.sign() <= 0) {
+        fail("state the reference point's distance, as in wyvill-trotman:reference:1e6");
+      }
     } else {
       fail(fmt::format("unknown variant '{}'", parts[i]));
     }

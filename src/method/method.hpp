@@ -58,6 +58,10 @@ struct Method {
   LookAhead look_ahead = LookAhead::None;
   number::Rational epsilon{0};    ///< for WithinEpsilon; always stated, never a default
   bool relative_epsilon = false;  ///< a multiple of the group's |t|, not a length
+  /// Where a carried state starts: 0, from the sign of f at t = -infinity; else from an inside
+  /// test at the point this length before the leaf's first crossing, or before the origin if
+  /// it has none (W&T 3.7).
+  number::Rational reference{0};
 };
 
 /// Roth 1982: all events of equal t; the surface is the first of them.
@@ -74,7 +78,7 @@ Method wyvill_trotman();
 /// Returns the method that the text spells:
 ///   roth | wyvill-sharp | regularized
 ///   epsilon:E | epsilon:E:relative      E a length, or a multiple of |t|
-///   wyvill-trotman[:parity][:no-look-ahead]
+///   wyvill-trotman[:parity][:no-look-ahead][:reference:D]     D a length
 /// Throws base::InputError that lists these.
 Method parse_method(std::string_view text);
 

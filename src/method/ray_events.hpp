@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "poly/line_roots.hpp"
-#include "scene/scene.hpp"
+#include "scene/rounding.hpp"
 #include "surface/carrier.hpp"
 #include "surface/rounded_surface.hpp"
 
@@ -40,11 +40,16 @@ class RayEvents {
 
   void find(const geometry::ExactRay& ray);
   void find(const geometry::Ray<Number>& ray);
+  /// Sorts the crossings anew, ties by rank[leaf].
+  void reorder(std::span<const csg::LeafIndex> rank);
 
   /// By t, ties by leaf index, for all t of the line.
   [[nodiscard]] std::span<const Crossing<Number>> crossings() const { return crossings_; }
   /// The leaf's state for t towards -infinity.
   [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const { return starts_inside_[leaf] != 0; }
+  /// The state that W&T 3.7 start from: that of the point `reference` of t before the leaf's
+  /// first crossing, or before the origin. For 0, that of the sign at -infinity.
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf, const Number& reference) const;
   /// Does the ray lie in a carrier? By convention it is outside of that leaf all along.
   [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
   /// Is f <= 0 for the leaf at the crossing's rounded point?
@@ -74,8 +79,6 @@ class RayEvents {
     surface::RoundedSurface<Number> surface;
   };
 
-  void sort();
-
   const scene::Scene* scene_;
   poly::Solvers solvers_;
   std::vector<surface::RoundedMap<Number>> frames_;
@@ -97,10 +100,12 @@ class RayEvents<number::exact> {
   RayEvents(const scene::Scene& scene, const poly::Solvers&) : scene_(&scene) {}
 
   void find(const geometry::ExactRay& ray);
+  void reorder(std::span<const csg::LeafIndex> rank);
 
   [[nodiscard]] std::span<const Crossing<number::exact>> crossings() const { return crossings_; }
   [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const { return starts_inside_[leaf] != 0; }
   [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf, const number::exact& reference) const;
   [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const;
 
   static bool less(const Root& a, const Root& b) { return compare(a, b) < 0; }

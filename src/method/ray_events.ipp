@@ -9,8 +9,10 @@ namespace lamina::method {
 template <number::RealNumber Number>
 RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& solvers)
     : scene_(&scene), solvers_(solvers) {
+  // The maps are inverted from the rounded placements, as a program does that has read the
+  // scene into this type; but exactly, so that each entry is rounded only once more.
   for (const geometry::AffineMap& frame : scene.frames) {
-    frames_.emplace_back(frame);
+    frames_.emplace_back(scene::inverse_of_rounded_placement(frame, scene::rounding<Number>));
   }
   for (const scene::Leaf& leaf : scene.leaves) {
     leaves_.push_back({leaf.frame, surface::RoundedSurface<Number>(leaf.surface)});
@@ -52,6 +54,24 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray) {
             [](const Crossing<Number>& a, const Crossing<Number>& b) {
               return a.t < b.t || (!(b.t < a.t) && a.leaf < b.leaf);
             });
+}
+
+template <number::RealNumber Number>
+void RayEvents<Number>::reorder(std::span<const csg::LeafIndex> rank) {
+  std::sort(crossings_.begin(), crossings_.end(),
+            [rank](const Crossing<Number>& a, const Crossing<Number>& b) {
+              return a.t < b.t || (!(b.t < a.t) && rank[a.leaf] < rank[b.leaf]);
+            });
+}
+
+template <number::RealNumber Number>
+bool RayEvents<Number>::starts_inside(csg::LeafIndex leaf, const Number& reference) const {
+  if (reference == 0) {
+    return starts_inside(leaf);
+  }
+  const auto first = std::find_if(crossings_.begin(), crossings_.end(),
+                                  [leaf](const auto& c) { return c.leaf == leaf; });
+  return inside_at(leaf, Root((first == crossings_.end() ? Root(0) : first->t) - reference));
 }
 
 template <number::RealNumber Number>

@@ -39,6 +39,28 @@ void RayEvents<exact>::find(const geometry::ExactRay& ray) {
             });
 }
 
+void RayEvents<exact>::reorder(std::span<const csg::LeafIndex> rank) {
+  // Only runs of equal t change: no root is compared with one of another run again.
+  for (auto first = crossings_.begin(); first != crossings_.end();) {
+    const auto end = std::find_if(first + 1, crossings_.end(),
+                                  [first](const auto& later) { return less(first->t, later.t); });
+    std::sort(first, end, [rank](const auto& a, const auto& b) {
+      return rank[a.leaf] < rank[b.leaf];
+    });
+    first = end;
+  }
+}
+
+bool RayEvents<exact>::starts_inside(csg::LeafIndex leaf, const Rational& reference) const {
+  if (reference.is_zero()) {
+    return starts_inside(leaf);
+  }
+  const auto first = std::find_if(crossings_.begin(), crossings_.end(),
+                                  [leaf](const auto& c) { return c.leaf == leaf; });
+  return inside_at(leaf, first == crossings_.end() ? Root(Rational(-reference))
+                                                   : affine_image(first->t, 1, -reference));
+}
+
 bool RayEvents<exact>::inside_at(csg::LeafIndex leaf, const Root& t) const {
   const scene::Leaf& l = scene_->leaves[leaf];
   return l.side * sign_at(polynomials_[l.carrier], t) <= 0;

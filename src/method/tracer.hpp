@@ -12,7 +12,7 @@
 #include "number/algebraic.hpp"
 #include "number/concepts.hpp"
 #include "poly/line_roots.hpp"
-#include "scene/scene.hpp"
+#include "scene/rounding.hpp"
 
 namespace lamina::method {
 
@@ -37,7 +37,8 @@ class Tracer {
 
   /// The crossings in the order of this number type: by t, ties by leaf index.
   [[nodiscard]] virtual std::span<const CrossingId> crossings() const = 0;
-  [[nodiscard]] virtual bool starts_inside(csg::LeafIndex leaf) const = 0;
+  /// The state that the method starts the leaf in, if it carries states.
+  [[nodiscard]] virtual bool starts_inside(const Method& method, csg::LeafIndex leaf) const = 0;
   [[nodiscard]] virtual bool in_some_carrier() const = 0;
   /// Is f <= 0 for the leaf at the rounded point of a crossing, or of kStart?
   [[nodiscard]] virtual bool inside_at(csg::LeafIndex leaf, std::size_t crossing) const = 0;
@@ -45,6 +46,9 @@ class Tracer {
   static constexpr std::size_t kStart = SIZE_MAX;
   /// The double nearest to the crossing's t.
   [[nodiscard]] virtual double t(std::size_t crossing) const = 0;
+  /// Sorts the crossings of the ray last found anew, ties of t by rank[leaf] instead of by leaf
+  /// index: what the scene would give with its leaves in another order.
+  virtual void reorder(std::span<const csg::LeafIndex> rank) = 0;
   /// Are two crossings at the same t in this number type?
   [[nodiscard]] virtual bool equal_t(std::size_t a, std::size_t b) const = 0;
   /// The error of a crossing whose exact t is known; zero for exact numbers.
@@ -60,6 +64,7 @@ struct NumberChoice {
   std::string name;
   int significand_bits = 0;  ///< 0 for exact types
   std::function<std::unique_ptr<Tracer>(const scene::Scene&, const poly::Solvers&)> make_tracer;
+  scene::Rounding round;
 };
 
 template <number::RealNumber Number>
@@ -68,7 +73,7 @@ std::unique_ptr<Tracer> make_tracer(const scene::Scene& scene, const poly::Solve
 template <number::RealNumber Number>
 NumberChoice number_choice() {
   using Traits = number::number_traits<Number>;
-  return {Traits::name(), Traits::kSignificandBits, make_tracer<Number>};
+  return {Traits::name(), Traits::kSignificandBits, make_tracer<Number>, scene::rounding<Number>};
 }
 
 }  // namespace lamina::method

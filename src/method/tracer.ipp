@@ -19,26 +19,28 @@ class TracerOf final : public Tracer {
   void find(const geometry::ExactRay& ray) override {
     ray_ = ray;
     events_.find(ray);
-    crossings_.clear();
-    for (const Crossing<Number>& c : events_.crossings()) {
-      crossings_.push_back({c.leaf, c.index, events_.positive(c.t), c.enters_by_parity});
-    }
+    identify_crossings();
+  }
+
+  void reorder(std::span<const csg::LeafIndex> rank) override {
+    events_.reorder(rank);
+    identify_crossings();
   }
 
   void run(const Method& method, Report& report) override {
-    Classifier(scene_, events_, state_, report, IgnoreEvents{}).run(method, step(method));
+    Classifier(scene_, events_, state_, report, IgnoreEvents{}).run(method, step(method), along_ray(method.reference));
   }
 
   std::vector<EventRecord> explain(const Method& method, Report& report) override {
     std::vector<EventRecord> records;
     const auto keep = [&records](const EventRecord& record) { records.push_back(record); };
-    Classifier(scene_, events_, state_, report, keep).run(method, step(method));
+    Classifier(scene_, events_, state_, report, keep).run(method, step(method), along_ray(method.reference));
     return records;
   }
 
   [[nodiscard]] std::span<const CrossingId> crossings() const override { return crossings_; }
-  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const override {
-    return events_.starts_inside(leaf);
+  [[nodiscard]] bool starts_inside(const Method& method, csg::LeafIndex leaf) const override {
+    return events_.starts_inside(leaf, along_ray(method.reference));
   }
   [[nodiscard]] bool in_some_carrier() const override { return events_.in_some_carrier(); }
 
@@ -80,18 +82,28 @@ class TracerOf final : public Tracer {
  private:
   using Root = typename RayEvents<Number>::Root;
 
-  // An epsilon that is a length becomes one of t: divided by the direction's length in
-  // double, once for all number types, so that they all use the same.
+  void identify_crossings() {
+    crossings_.clear();
+    for (const Crossing<Number>& c : events_.crossings()) {
+      crossings_.push_back({c.leaf, c.index, events_.positive(c.t), c.enters_by_parity});
+    }
+  }
+
+  // The method's epsilon, in units of t if it is a length.
   [[nodiscard]] Number step(const Method& method) const {
-    if (method.grouping != Grouping::WithinEpsilon) {
+    return method.relative_epsilon ? number::number_traits<Number>::from_exact(method.epsilon)
+                                   : along_ray(method.epsilon);
+  }
+
+  // A length in units of t: divided by the direction's length in double, once for all number
+  // types, so that they all use the same.
+  [[nodiscard]] Number along_ray(const number::Rational& length) const {
+    if (length.is_zero()) {
       return Number(0);
     }
-    number::Rational step = method.epsilon;
-    if (!method.relative_epsilon) {
-      const double squared = number::nearest_double(dot(ray_.direction, ray_.direction));
-      step = number::Rational(number::nearest_double(step) / std::sqrt(squared));
-    }
-    return number::number_traits<Number>::from_exact(step);
+    const double squared = number::nearest_double(dot(ray_.direction, ray_.direction));
+    return number::number_traits<Number>::from_exact(
+        number::Rational(number::nearest_double(length) / std::sqrt(squared)));
   }
 
   const scene::Scene& scene_;

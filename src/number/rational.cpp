@@ -150,8 +150,12 @@ std::string to_text(const Rational& value) {
   return (value.sign() < 0 ? "-" : "") + digits;
 }
 
-double nearest_double(const Rational& value) {
-  using Limits = std::numeric_limits<double>;
+namespace {
+
+// The nearest value of a hardware type, ties to even, subnormal numbers and overflow included.
+template <typename Float>
+Float nearest(const Rational& value) {
+  using Limits = std::numeric_limits<Float>;
   if (value.is_zero()) {
     return 0;
   }
@@ -162,7 +166,7 @@ double nearest_double(const Rational& value) {
   if (times_power_of_two(dividend, -log) < times_power_of_two(divisor, log)) {
     --log;
   }
-  const double sign = value.sign();
+  const auto sign = static_cast<Float>(value.sign());
   if (log >= Limits::max_exponent) {
     return sign * Limits::infinity();
   }
@@ -177,7 +181,15 @@ double nearest_double(const Rational& value) {
   if (half > 0 || (half == 0 && bit_test(significand, 0))) {
     ++significand;
   }
-  return sign * std::ldexp(significand.convert_to<double>(), last_place);
+  return sign * std::ldexp(significand.convert_to<Float>(), last_place);
 }
+
+}  // namespace
+
+float nearest_float(const Rational& value) { return nearest<float>(value); }
+
+double nearest_double(const Rational& value) { return nearest<double>(value); }
+
+long double nearest_long_double(const Rational& value) { return nearest<long double>(value); }
 
 }  // namespace lamina::number

@@ -25,8 +25,11 @@ Rational parse_rational(std::string_view text);
 /// 10^30, else `a/b`.
 std::string to_text(const Rational& value);
 
-/// Returns the double nearest to the value, ties to even; infinity beyond the range.
+/// Return the float, double or long double nearest to the value, ties to even, subnormal
+/// numbers included; infinity beyond the range.
+float nearest_float(const Rational& value);
 double nearest_double(const Rational& value);
+long double nearest_long_double(const Rational& value);
 
 /// -1, 0 or 1.
 inline int sign(const Integer& value) { return value.sign(); }

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "number/algebraic.hpp"
+#include "number/bin_float_mended.hpp"
 #include "number/concepts.hpp"
-#include "number/correct_subtraction.hpp"
 #include "number/rational.hpp"
 
 namespace lamina::number {
@@ -40,9 +40,6 @@ Scaled round_to_bits(const Rational& q, int bits);
 /// q * 2^exponent.
 Rational scale_by_power_of_two(const Integer& mantissa, long exponent);
 
-/// Nearest values of the hardware types, subnormal numbers and overflow included.
-float nearest_float(const Rational& q);
-long double nearest_long_double(const Rational& q);
 Rational exact_value(long double value);
 
 std::string bin_name(int bits);
@@ -54,7 +51,7 @@ struct number_traits<float> {
   using Root = float;
   static std::string name() { return "float"; }
   static constexpr int kSignificandBits = 24;
-  static float from_exact(const Rational& q) { return detail::nearest_float(q); }
+  static float from_exact(const Rational& q) { return nearest_float(q); }
   static Rational to_exact(float value) { return Rational(value); }
 };
 
@@ -72,7 +69,7 @@ struct number_traits<long double> {
   using Root = long double;
   static std::string name() { return "longdouble"; }
   static constexpr int kSignificandBits = 64;
-  static long double from_exact(const Rational& q) { return detail::nearest_long_double(q); }
+  static long double from_exact(const Rational& q) { return nearest_long_double(q); }
   static Rational to_exact(long double value) { return detail::exact_value(value); }
 };
 

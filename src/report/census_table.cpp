@@ -2,32 +2,43 @@
 
 #include <fmt/format.h>
 
-namespace lamina::report {
+#include <algorithm>
+#include <limits>
 
-std::string ray_text(const geometry::ExactRay& ray) {
-  const auto& [o, d] = ray;
-  return fmt::format("{} {} {} {} {} {}", number::to_text(o.x), number::to_text(o.y),
-                     number::to_text(o.z), number::to_text(d.x), number::to_text(d.y),
-                     number::to_text(d.z));
-}
+#include "census/statistics.hpp"
+#include "geometry/ray_text.hpp"
+
+namespace lamina::report {
 
 namespace {
 
-std::vector<Column> columns(const Column& label_column) {
-  std::vector<Column> all{label_column,
-                          {"method", "method", ""},
-                          {"number", "number", ""},
-                          {"bits", "bits", "Significand bits of the number type."},
-                          {"rays", "rays", "", true}};
+std::vector<Column> columns(const std::vector<Column>& label_columns) {
+  std::vector<Column> all = label_columns;
+  all.insert(all.end(),
+             {{"method", "method", ""},
+              {"number", "number", ""},
+              {"bits", "bits", "Significand bits of the number type."},
+              {"rays", "rays", "Rays that were judged: those that lie in no carrier.", true},
+              {"coincident", "coincident",
+               "Of all rays, those that meet an exact class of two leaves or more.", true}});
   for (const census::ArtifactText& text : census::artifact_texts()) {
     all.push_back(
         {std::string(text.name), std::string(text.heading), std::string(text.definition)});
   }
+  for (const census::CauseText& text : census::cause_texts()) {
+    all.push_back(
+        {std::string(text.name), std::string(text.heading), std::string(text.definition)});
+  }
   const std::vector<Column> rest{
+      {"order_sensitive", "order",
+       "The answer hangs on the order of the leaves, which decides ties of t."},
+      {"most_outcomes", "outcomes", "The most different answers to one ray over orders of leaves.",
+       true},
       {"lamina_front", "lamina front",
        "Laminae that all events enter, seen as a surface, of all such."},
       {"lamina_back", "lamina back",
        "Laminae that all events leave, seen as a surface, of all such."},
+      {"speckle", "speckle", "4p(1-p) for the part p of such fronts that is seen: 0 is even, 1 noise."},
       {"wrong_length", "wrong length",
        "Total length of bounded intervals with a wrong medium, world units."},
       {"persistence", "persistence",
@@ -42,38 +53,71 @@ std::vector<Column> columns(const Column& label_column) {
   return all;
 }
 
-std::vector<Value> row_of(const std::string& label, const census::Cell& cell) {
-  std::vector<Value> row{label, cell.method, cell.number,
-                         cell.significand_bits == 0 ? Value(std::string("exact"))
-                                                    : Value(std::uint64_t(cell.significand_bits)),
-                         cell.rays};
+double speckle(const census::Cell& cell) {
+  if (cell.lamina_fronts == 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double p =
+      static_cast<double>(cell.lamina_fronts_seen) / static_cast<double>(cell.lamina_fronts);
+  return 4 * p * (1 - p);
+}
+
+std::vector<Value> values_of(const std::vector<census::Label>& labels) {
+  std::vector<Value> values;
+  std::transform(labels.begin(), labels.end(), std::back_inserter(values), value_of);
+  return values;
+}
+
+std::vector<Value> row_of(const LabelledCensus& labelled, const census::Cell& cell) {
+  std::vector<Value> row = values_of(labelled.labels);
+  row.emplace_back(cell.method);
+  row.emplace_back(cell.number);
+  row.push_back(cell.significand_bits == 0 ? Value(std::string("exact"))
+                                           : Value(std::uint64_t(cell.significand_bits)));
+  row.emplace_back(cell.rays);
+  row.emplace_back(labelled.census.with_coincidence);
   for (const std::uint64_t count : cell.with) {
     row.emplace_back(Rate{count, cell.rays});
   }
+  for (const std::uint64_t count : cell.caused) {
+    row.emplace_back(Rate{count, cell.rays});
+  }
+  row.emplace_back(Rate{cell.order_sensitive, cell.rays});
+  row.emplace_back(std::uint64_t(cell.most_outcomes));
   row.emplace_back(Rate{cell.lamina_fronts_seen, cell.lamina_fronts});
   row.emplace_back(Rate{cell.lamina_backs_seen, cell.lamina_backs});
+  row.emplace_back(speckle(cell));
   row.emplace_back(cell.wrong_length);
   row.emplace_back(std::uint64_t(cell.persistence));
   row.emplace_back(cell.largest.t_ulps);
   row.emplace_back(cell.largest.point_rel);
   row.emplace_back(cell.largest.normal_rad);
   row.emplace_back(cell.worst ? cell.worst->scene : std::string());
-  row.emplace_back(cell.worst ? ray_text(cell.worst->ray) : std::string());
+  row.emplace_back(cell.worst ? geometry::to_text(cell.worst->ray) : std::string());
   return row;
 }
 
-// For each method, a ray of the cell with the most wrong first hits.
-std::vector<const census::Cell*> cells_to_replay(const census::Census& census) {
+double first_wrong_rate(const census::Cell& cell) {
+  return static_cast<double>(cell[census::Artifact::FirstWrong]) /
+         static_cast<double>(std::max<std::uint64_t>(1, cell.rays));
+}
+
+// For each method, in the order of the censuses, the cell with the most wrong first hits.
+std::vector<const census::Cell*> cells_to_replay(const std::vector<LabelledCensus>& censuses) {
   std::vector<const census::Cell*> chosen;
-  for (const census::Cell& cell : census.cells) {
-    if (!cell.worst) {
-      continue;
-    }
-    using census::Artifact;
-    if (chosen.empty() || chosen.back()->method != cell.method) {
-      chosen.push_back(&cell);
-    } else if (cell[Artifact::FirstWrong] > (*chosen.back())[Artifact::FirstWrong]) {
-      chosen.back() = &cell;
+  for (const LabelledCensus& labelled : censuses) {
+    for (const census::Cell& cell : labelled.census.cells) {
+      if (!cell.worst) {
+        continue;
+      }
+      const auto known = std::find_if(chosen.begin(), chosen.end(), [&cell](const auto* other) {
+        return other->method == cell.method;
+      });
+      if (known == chosen.end()) {
+        chosen.push_back(&cell);
+      } else if (first_wrong_rate(cell) > first_wrong_rate(**known)) {
+        *known = &cell;
+      }
     }
   }
   return chosen;
@@ -81,24 +125,58 @@ std::vector<const census::Cell*> cells_to_replay(const census::Census& census) {
 
 }  // namespace
 
-Table census_table(const std::vector<LabelledCensus>& censuses, const Column& label_column,
-                   const std::string& title) {
-  Table table{title, columns(label_column), {}, {}};
-  for (const auto& [label, census] : censuses) {
-    for (const census::Cell& cell : census.cells) {
-      table.rows.push_back(row_of(label, cell));
+Value value_of(const census::Label& label) {
+  return std::visit([](const auto& value) -> Value { return value; }, label);
+}
+
+Table census_table(const std::vector<LabelledCensus>& censuses,
+                   const std::vector<Column>& label_columns, const std::string& title) {
+  Table table{"artifacts", title, columns(label_columns), {}, {}};
+  std::uint64_t rays = 0;
+  std::uint64_t in_carrier = 0;
+  std::uint64_t coincident = 0;
+  for (const LabelledCensus& labelled : censuses) {
+    for (const census::Cell& cell : labelled.census.cells) {
+      table.rows.push_back(row_of(labelled, cell));
     }
+    rays += labelled.census.rays;
+    in_carrier += labelled.census.in_carrier;
+    coincident += labelled.census.with_coincidence;
+  }
+  table.notes.push_back(fmt::format(
+      "{} rays in all, the same for every method and number type; {} of them lie in a carrier, are "
+      "counted apart and not judged; {} of the others meet coincident surfaces.",
+      rays, in_carrier, coincident));
+  for (const census::Cell* cell : cells_to_replay(censuses)) {
     table.notes.push_back(fmt::format(
-        "{}: {} rays; {} of them lie in a carrier, are counted apart and not judged; {} of the "
-        "others meet coincident surfaces.",
-        label, census.rays, census.in_carrier, census.with_coincidence));
-    for (const census::Cell* cell : cells_to_replay(census)) {
-      table.notes.push_back(
-          fmt::format("To replay: `lamina explain '{}' --ray \"{}\" --methods {} --numbers {}`",
-                      cell->worst->scene, ray_text(cell->worst->ray), cell->method, cell->number));
-    }
-    if (census.interrupted) {
-      table.notes.emplace_back("Interrupted: the counts are of the rays that were finished.");
+        "To replay: `lamina explain '{}' --ray \"{}\" --methods {} --numbers {}`",
+        cell->worst->scene, geometry::to_text(cell->worst->ray), cell->method, cell->number));
+  }
+  return table;
+}
+
+Table paired_table(const std::vector<LabelledCensus>& censuses,
+                   const std::vector<Column>& label_columns, const std::string& title) {
+  Table table{"paired", title, label_columns, {}, {}};
+  table.on_request = true;
+  table.columns.insert(
+      table.columns.end(),
+      {{"number", "number", ""},
+       {"first", "first", ""},
+       {"second", "second", ""},
+       {"only_first_wrong", "only first wrong",
+        "Rays on which the first visible interface is wrong with the first method only."},
+       {"only_second_wrong", "only second wrong", "The same with the second method only."},
+       {"p", "p",
+        "McNemar's test, exact and two-sided: how likely so uneven a split is between equally good "
+        "methods."}});
+  for (const LabelledCensus& labelled : censuses) {
+    for (const census::Pair& pair : labelled.census.pairs) {
+      std::vector<Value> row = values_of(labelled.labels);
+      row.insert(row.end(), {pair.number, pair.first, pair.second, pair.only_first_wrong,
+                             pair.only_second_wrong,
+                             census::mcnemar(pair.only_first_wrong, pair.only_second_wrong)});
+      table.rows.push_back(std::move(row));
     }
   }
   return table;

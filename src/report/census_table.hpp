@@ -1,28 +1,32 @@
-// The census as a table.
+// The census as tables.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "census/census.hpp"
-#include "geometry/vector.hpp"
 #include "report/table.hpp"
 
 namespace lamina::report {
 
-/// A census and what sets it apart from the others in the table: a scene, a kind of rays.
+/// A census and what sets it apart from the others in the table: a scene, a kind of rays; one
+/// label for each label column.
 struct LabelledCensus {
-  std::string label;
+  std::vector<census::Label> labels;
   census::Census census;
 };
 
-/// A row for each census, method and number type; artifacts as rates, then laminae, errors of
-/// right hits, and the worst ray of each cell. Notes name, for each method of each census, a
-/// ray to replay. `label_column` says what the labels are; rows are never pooled.
-Table census_table(const std::vector<LabelledCensus>& censuses, const Column& label_column,
-                   const std::string& title);
+/// A row for each census, method and number type; artifacts, causes and order as rates of
+/// rays, then laminae, errors of right hits, and the worst ray of each cell. Notes count the
+/// rays and name one to replay for each method. Rows are never pooled.
+Table census_table(const std::vector<LabelledCensus>& censuses,
+                   const std::vector<Column>& label_columns, const std::string& title);
 
-/// The six numbers of a ray as `--ray` takes them, exact.
-std::string ray_text(const geometry::ExactRay& ray);
+/// A row for each census, number type and two methods: the rays on which only one of them has
+/// its first visible interface wrong, and McNemar's test.
+Table paired_table(const std::vector<LabelledCensus>& censuses,
+                   const std::vector<Column>& label_columns, const std::string& title);
+
+/// A label as the value of a table.
+Value value_of(const census::Label& label);
 
 }  // namespace lamina::report

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "report/census_table.hpp"
+#include "geometry/ray_text.hpp"
 #include "report/divergence.hpp"
 #include "report/legend.hpp"
 #include "report/outcome.hpp"
@@ -86,7 +86,7 @@ std::string heading(const scene::Scene& scene, const geometry::ExactRay& ray, co
   std::string text = paragraph(
       format("{} (leaves {}, carriers {})", scene.name, scene.leaves.size(), scene.carriers.size()),
       "Scene", 7);
-  text += paragraph(format("--ray \"{}\"", ray_text(ray)), "Ray", 7);
+  text += paragraph(format("--ray \"{}\"", geometry::to_text(ray)), "Ray", 7);
   text +=
       paragraph(truth.start() == csg::kEmpty ? "in empty space"
                                              : format("in {}", medium_name(scene, truth.start())),

@@ -39,7 +39,7 @@ const method::Interface* Outcome::reported(const method::EventRecord& record) co
 
 bool Outcome::first_state(csg::LeafIndex leaf) const {
   return geometric() ? lane->tracer->inside_at(leaf, method::Tracer::kStart)
-                     : lane->tracer->starts_inside(leaf);
+                     : lane->tracer->starts_inside(*method, leaf);
 }
 
 bool Outcome::state_behind(const method::EventRecord& record, csg::LeafIndex leaf,

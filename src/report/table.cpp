@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/contract.hpp"
@@ -31,7 +32,9 @@ std::string for_people(const Value& value) {
   return std::visit(
       Overloaded{[](const std::string& text) { return text; },
                  [](std::uint64_t number) { return fmt::format("{}", number); },
-                 [](double number) { return fmt::format("{:.3g}", number); },
+                 [](double number) {
+                   return std::isnan(number) ? "-" : fmt::format("{:.3g}", number);
+                 },
                  [](const Rate& rate) -> std::string {
                    if (rate.n == 0) {
                      return "-";
@@ -47,7 +50,18 @@ std::string for_people(const Value& value) {
       value);
 }
 
-// The columns for people: those for programs are out, and those with nothing but zero rates.
+bool is_zero(const Value& value) {
+  const Rate* const rate = std::get_if<Rate>(&value);
+  return rate != nullptr && rate->count == 0;
+}
+
+bool is_nothing(const Value& value) {
+  const double* const number = std::get_if<double>(&value);
+  return number != nullptr && std::isnan(*number);
+}
+
+// The columns for people: those for programs are out, and those with nothing but zero rates
+// or without values.
 struct Shown {
   std::vector<std::size_t> columns;
   std::vector<std::string> all_zero;
@@ -59,13 +73,13 @@ Shown shown_columns(const Table& table) {
     if (table.columns[c].only_for_programs) {
       continue;
     }
-    const bool zero = std::all_of(table.rows.begin(), table.rows.end(), [c](const auto& row) {
-      const Rate* rate = std::get_if<Rate>(&row[c]);
-      return rate != nullptr && rate->count == 0;
-    });
-    if (zero && !table.rows.empty()) {
+    const auto all = [&](bool (*is)(const Value&)) {
+      return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
+                                                [&](const auto& row) { return is(row[c]); });
+    };
+    if (all(is_zero)) {
       shown.all_zero.push_back(table.columns[c].heading);
-    } else {
+    } else if (!all(is_nothing)) {
       shown.columns.push_back(c);
     }
   }
@@ -199,7 +213,7 @@ std::string csv(const Table& table) {
   return text;
 }
 
-std::string json(const Table& table) {
+nlohmann::ordered_json json(const Table& table) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const auto& row : table.rows) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
@@ -208,9 +222,10 @@ std::string json(const Table& table) {
     }
     rows.push_back(std::move(object));
   }
-  const nlohmann::ordered_json whole{
-      {"title", table.title}, {"rows", std::move(rows)}, {"notes", table.notes}};
-  return whole.dump(1) + '\n';
+  return {{"name", table.name},
+          {"title", table.title},
+          {"rows", std::move(rows)},
+          {"notes", table.notes}};
 }
 
 std::string escaped_latex(std::string_view text) {
@@ -301,11 +316,26 @@ std::string write(const Table& table, Format format) {
     case Format::Csv:
       return csv(table);
     case Format::Json:
-      return json(table);
+      return json(table).dump(1) + '\n';
     case Format::Latex:
       return latex(table);
   }
   return {};
+}
+
+std::string write(const std::vector<Table>& tables, Format format) {
+  std::string text;
+  if (format == Format::Json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Table& table : tables) {
+      all.push_back(json(table));
+    }
+    return nlohmann::ordered_json{{"tables", std::move(all)}}.dump(1) + '\n';
+  }
+  for (const Table& table : tables) {
+    text += (text.empty() ? "" : "\n") + write(table, format);
+  }
+  return text;
 }
 
 }  // namespace lamina::report

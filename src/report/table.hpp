@@ -15,6 +15,7 @@ struct Rate {
   std::uint64_t n = 0;
 };
 
+/// A NaN stands for no value.
 using Value = std::variant<std::string, std::uint64_t, double, Rate>;
 
 struct Column {
@@ -25,10 +26,12 @@ struct Column {
 };
 
 struct Table {
+  std::string name;   ///< one word, to choose it by
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<Value>> rows;
   std::vector<std::string> notes;  ///< below the table
+  bool on_request = false;         ///< printed only if it is asked for
 };
 
 enum class Format : std::uint8_t { Markdown, Csv, Json, Latex };
@@ -37,8 +40,11 @@ enum class Format : std::uint8_t { Markdown, Csv, Json, Latex };
 Format parse_format(std::string_view text);
 
 /// Markdown and LaTeX leave out columns of rates that are zero in every row and name them
-/// below; rates are percentages: `12.3 [11.9, 12.8]`, or `< 0.015` (3/n) where nothing was
+/// below, and columns without any value; rates are percentages: `12.3 [11.9, 12.8]`, or `< 0.015` (3/n) where nothing was
 /// counted. CSV and JSON have every column; a rate becomes _count, _n, _rate, _lower, _upper.
 std::string write(const Table& table, Format format);
+
+/// All tables one after the other; JSON as `{"tables": [...]}`.
+std::string write(const std::vector<Table>& tables, Format format);
 
 }  // namespace lamina::report

@@ -7,6 +7,18 @@ namespace {
 
 using Point = geometry::Vector3<double>;
 
+Point rounded(const Point& p, Held held) {
+  const auto round = [held](double x) {
+    return held == Held::Float ? static_cast<double>(static_cast<float>(x)) : x;
+  };
+  return {round(p.x), round(p.y), round(p.z)};
+}
+
+geometry::ExactPoint exact(const Point& p) {
+  using number::Rational;
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
 }  // namespace
 
 Point point_in(const Bounds& bounds, base::SeededStream& stream) {
@@ -24,22 +36,25 @@ double distance_outside(const Bounds& bounds) {
   return 2 * std::sqrt(number::nearest_double(dot(diagonal, diagonal)));
 }
 
-geometry::ExactRay ray_through(const geometry::Vector3<double>& target, double distance,
-                               base::SeededStream& stream) {
+Point random_direction(base::SeededStream& stream) {
   Point d{};
   double squared = 0;
   do {
     d = {stream.uniform(-1, 1), stream.uniform(-1, 1), stream.uniform(-1, 1)};
     squared = dot(d, d);
   } while (squared > 1 || squared < 1e-4);  // uniform in a shell, so in direction
-  d = (1 / std::sqrt(squared)) * d;
-  const Point o = target - distance * d;
-  using number::Rational;
-  const auto exact = [](const Point& v) -> geometry::ExactPoint {
-    return {Rational(static_cast<float>(v.x)), Rational(static_cast<float>(v.y)),
-            Rational(static_cast<float>(v.z))};
-  };
-  return {exact(o), exact(d)};
+  return (1 / std::sqrt(squared)) * d;
+}
+
+geometry::ExactRay ray_from(const Point& origin, const Point& target, Held held) {
+  const Point from = rounded(origin, held);
+  const Point way = target - from;
+  return {exact(from), exact(rounded((1 / std::sqrt(dot(way, way))) * way, held))};
+}
+
+geometry::ExactRay ray_through(const Point& target, double distance, base::SeededStream& stream) {
+  const Point d = random_direction(stream);
+  return {exact(rounded(target - distance * d, Held::Float)), exact(rounded(d, Held::Float))};
 }
 
 std::vector<geometry::ExactRay> uniform_rays(const Bounds& bounds, std::uint64_t count,

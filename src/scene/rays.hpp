@@ -1,4 +1,4 @@
-// Random rays at a scene, which `float` and so every number type holds exactly.
+// Random rays at a scene, held exactly by `float` and so by every number type, or by `double`.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,17 @@ geometry::Vector3<double> point_in(const Bounds& bounds, base::SeededStream& str
 
 /// Twice the diagonal of the box: from there every ray at it starts outside.
 double distance_outside(const Bounds& bounds);
+
+/// A uniformly random direction of length one.
+geometry::Vector3<double> random_direction(base::SeededStream& stream);
+
+/// What holds the six coordinates of a ray exactly.
+enum class Held : std::uint8_t { Float, Double };
+
+/// A ray from `origin`, rounded, towards `target`: only the rounding of its direction takes it
+/// away from there.
+geometry::ExactRay ray_from(const geometry::Vector3<double>& origin,
+                            const geometry::Vector3<double>& target, Held held);
 
 /// A ray through `target`, but for rounding its six coordinates to float. The origin is
 /// `distance` away from the target in a uniformly random direction.

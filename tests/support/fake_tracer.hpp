@@ -33,9 +33,10 @@ class FakeTracer final : public method::Tracer {
   [[nodiscard]] std::span<const method::CrossingId> crossings() const override {
     return crossings_;
   }
-  [[nodiscard]] bool starts_inside(csg::LeafIndex) const override { unused(); }
+  [[nodiscard]] bool starts_inside(const method::Method&, csg::LeafIndex) const override { unused(); }
   [[nodiscard]] bool in_some_carrier() const override { return false; }
   [[nodiscard]] bool inside_at(csg::LeafIndex, std::size_t) const override { unused(); }
+  void reorder(std::span<const csg::LeafIndex>) override { unused(); }
   [[nodiscard]] double t(std::size_t crossing) const override { return t_.at(crossing); }
   [[nodiscard]] bool equal_t(std::size_t a, std::size_t b) const override {
     return t_.at(a) == t_.at(b);

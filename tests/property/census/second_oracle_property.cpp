@@ -6,7 +6,7 @@
 
 #include "census/truth.hpp"
 #include "method/tracer.hpp"
-#include "report/census_table.hpp"
+#include "geometry/ray_text.hpp"
 #include "scene/scene.hpp"
 #include "support/class_tally.hpp"
 #include "support/reference_random.hpp"
@@ -63,7 +63,7 @@ class Bench {
   }
 
   [[nodiscard]] std::string why(const Ray& ray) const {
-    return "ray \"" + report::ray_text(exact(ray)) + "\":" + why_.str() + "\nscene\n" + text_;
+    return "ray \"" + geometry::to_text(exact(ray)) + "\":" + why_.str() + "\nscene\n" + text_;
   }
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }

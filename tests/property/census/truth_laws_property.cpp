@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "report/census_table.hpp"
+#include "geometry/ray_text.hpp"
 #include "support/class_tally.hpp"
 #include "support/law_models.hpp"
 
@@ -36,12 +36,12 @@ class Law {
     tally_.add("coincident", std::any_of(classes.begin(), classes.end(),
                                          [](const auto& cls) { return cls.leaves.size() > 1; }));
     if (!(actual == expected)) {
-      FAIL(name_ << ": " << model.name << ", ray \"" << report::ray_text(ray) << "\": " << actual
+      FAIL(name_ << ": " << model.name << ", ray \"" << geometry::to_text(ray) << "\": " << actual
                  << " is not " << expected << "\nin\n"
                  << bench.text());
     }
     if (!bench.verdict(method::regularized()).right()) {
-      FAIL("regularized is not the truth: " << model.name << ", ray \"" << report::ray_text(ray)
+      FAIL("regularized is not the truth: " << model.name << ", ray \"" << geometry::to_text(ray)
                                             << "\" in\n"
                                             << bench.text());
     }

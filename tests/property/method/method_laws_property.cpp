@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "number/all_numbers.hpp"
-#include "report/census_table.hpp"
+#include "geometry/ray_text.hpp"
 #include "support/class_tally.hpp"
 #include "support/law_models.hpp"
 
@@ -26,7 +26,7 @@ void for_each_model(std::uint64_t lattice_models, std::uint64_t family_models, C
 }
 
 std::string place(const LawModel& model, const geometry::ExactRay& ray) {
-  return model.name + ", ray \"" + report::ray_text(ray) + "\" in\n" + model.text;
+  return model.name + ", ray \"" + geometry::to_text(ray) + "\" in\n" + model.text;
 }
 
 bool several(const census::TruthClass& cls) { return cls.leaves.size() > 1; }

@@ -1,5 +1,6 @@
-// Mends the subtraction of Boost.Multiprecision 1.74's cpp_bin_float, which is not correctly
-// rounded in one case.
+// Mends Boost.Multiprecision 1.74's cpp_bin_float where it is wrong: a subtraction that is not
+// correctly rounded, and a quotient that overflows its buffer. Being more specialised than
+// Boost's functions of these names, the ones here are what the operators call.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -9,8 +10,7 @@ namespace boost::multiprecision::backends {
 /// Where the exponents of a and b differ by one more than the number of bits, the smaller
 /// operand is at least a quarter and below half a unit in the last place of the larger. The
 /// difference of magnitudes then rounds to the larger operand, unless that is a power of two.
-/// Boost rounds a tie instead and is one unit off for odd significands. Being more specialised
-/// than Boost's function of this name, this one is what the operators + and - call.
+/// Boost rounds a tie instead and is one unit off for odd significands.
 template <unsigned Digits>
 void do_eval_subtract(cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& result,
                       const cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& a,
@@ -34,6 +34,26 @@ void do_eval_subtract(cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& resu
     }
   }
   do_eval_subtract<Digits, digit_base_2, void, int, 0, 0>(result, a, b);
+}
+
+/// Boost divides by an integer in a buffer of twice the significand's bits, which a divisor of
+/// as many bits overflows: 1 / 3628800 is wrong for 11 bits, and so are the functions that
+/// divide by factorials. Such divisors are rounded to the type, and it divides by that.
+template <unsigned Digits, class Unsigned>
+typename enable_if_c<is_unsigned<Unsigned>::value>::type eval_divide(
+    cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& result,
+    const cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& a, const Unsigned& b) {
+  using Float = cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>;
+  constexpr int kBits = static_cast<int>(Float::bit_count) - 1;
+  if constexpr (kBits < std::numeric_limits<Unsigned>::digits) {
+    if ((b >> kBits) != 0) {
+      Float divisor;
+      divisor = b;
+      eval_divide(result, a, divisor);
+      return;
+    }
+  }
+  eval_divide<Digits, digit_base_2, void, int, 0, 0, Unsigned>(result, a, b);
 }
 
 }  // namespace boost::multiprecision::backends

@@ -1,0 +1,24 @@
+// One function for each experiment: see README.md in the folder of its name.
+#pragma once
+
+#include "experiments/experiment.hpp"
+
+namespace lamina::experiments {
+
+Experiment coincident_faces();
+Experiment epsilon_gap();
+Experiment epsilon_sweep();
+Experiment far_origin();
+Experiment four_cases();
+Experiment ghost_cylinders();
+Experiment near_tangent();
+Experiment order();
+Experiment precision();
+Experiment real_models();
+Experiment self_difference();
+Experiment self_sum();
+Experiment start_state();
+Experiment thin_wall();
+Experiment touching_stack();
+
+}  // namespace lamina::experiments

@@ -1,0 +1,61 @@
+#include "experiments/family_series.hpp"
+
+#include <algorithm>
+
+namespace lamina::experiments {
+
+Aim uniform_aim() {
+  return {"uniform", [](const scene::FamilyMember&, const scene::Scene& scene,
+                        base::SeededStream& stream) {
+            return scene::ray_through(scene::point_in(*scene.bounds, stream),
+                                      scene::distance_outside(*scene.bounds), stream);
+          }};
+}
+
+Aim coincident_aim() {
+  return {"coincident", [](const scene::FamilyMember& member, const scene::Scene&,
+                           base::SeededStream& stream) {
+            constexpr double kDistance = 20;  // outside of every member
+            const auto& patch = member.patches[stream.below(member.patches.size())];
+            const double u = stream.unit();
+            return scene::ray_through(patch.corner + u * patch.side1 + stream.unit() * patch.side2,
+                                      kDistance, stream);
+          }};
+}
+
+report::Column aim_column() {
+  return {"aim", "aim",
+          "Where rays go: uniform, at a random point of the bounding box; coincident, at a face "
+          "that leaves share."};
+}
+
+Series family_series(std::vector<census::Label> labels, const std::string& family, const Aim& aim,
+                     std::uint64_t rays, const Settings& settings, std::uint64_t rays_per_scene) {
+  const auto task = [family, aim, rays, rays_per_scene, seed = settings.seed](std::size_t index) {
+    const scene::FamilyMember member = scene::family_member(family, seed, index);
+    census::Task result;
+    result.scene = scene::parse_scene(member.text, scene::family_spelling(family, seed, index));
+    base::SeededStream stream("rays/" + aim.name, seed, index);
+    const std::uint64_t count = std::min(rays_per_scene, rays - index * rays_per_scene);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      result.rays.push_back(aim.draw(member, result.scene, stream));
+    }
+    return result;
+  };
+  return {std::move(labels), settings.plan,
+          static_cast<std::size_t>((rays + rays_per_scene - 1) / rays_per_scene), task};
+}
+
+std::vector<method::Method> with_epsilon(const std::vector<method::Method>& methods,
+                                         const std::string& tolerance) {
+  std::vector<method::Method> result = methods;
+  for (method::Method& method : result) {
+    if (method.grouping == method::Grouping::WithinEpsilon) {
+      method = method::parse_method("epsilon:" + tolerance +
+                                    (method.relative_epsilon ? ":relative" : ""));
+    }
+  }
+  return result;
+}
+
+}  // namespace lamina::experiments

@@ -1,0 +1,43 @@
+#include "cli/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/contract.hpp"
+
+namespace lamina::cli {
+
+void TableOptions::add_to(CLI::App& command) {
+  command.add_option("--format", format, "md, csv, json, latex")->capture_default_str();
+  command.add_option("--table", name,
+                     "one table only, by its name: artifacts, paired (two methods on the same "
+                     "rays), clock, or one of the experiment's own");
+}
+
+void TableOptions::check() const { static_cast<void>(report::parse_format(format)); }
+
+void print_tables(const std::vector<report::Table>& tables, const TableOptions& options) {
+  const report::Format format = report::parse_format(options.format);
+  std::vector<report::Table> chosen;
+  std::copy_if(tables.begin(), tables.end(), std::back_inserter(chosen),
+               [&options](const report::Table& table) {
+                 return options.name.empty() ? !table.on_request : table.name == options.name;
+               });
+  if (chosen.empty()) {
+    std::vector<std::string> names;
+    for (const report::Table& table : tables) {
+      names.push_back(table.name);
+    }
+    throw base::InputError(
+        fmt::format("no table '{}'; there are: {}", options.name, fmt::join(names, ", ")));
+  }
+  if (format == report::Format::Csv) {
+    chosen.resize(1);
+  }
+  fmt::print("{}", chosen.size() == 1 && format != report::Format::Json
+                       ? report::write(chosen.front(), format)
+                       : report::write(chosen, format));
+}
+
+}  // namespace lamina::cli

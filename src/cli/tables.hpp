@@ -1,0 +1,25 @@
+// Printing the tables of a run: which, and how.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "report/table.hpp"
+
+namespace lamina::cli {
+
+struct TableOptions {
+  std::string format = "md";
+  std::string name;
+
+  void add_to(CLI::App& command);
+  /// Throws base::InputError for an unknown format: before the work, not after it.
+  void check() const;
+};
+
+/// Prints the table that was asked for; else all but those on request, or in CSV, of which a
+/// file holds one, the first. Throws base::InputError that lists the names.
+void print_tables(const std::vector<report::Table>& tables, const TableOptions& options);
+
+}  // namespace lamina::cli

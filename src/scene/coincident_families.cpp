@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "scene/placement.hpp"
+
+namespace lamina::scene {
+namespace {
+
+using base::SeededStream;
+
+// A solid of the family: standing on z = 0 of its own coordinates, with a flat top.
+struct Solid {
+  std::string text;
+  double half_width = 0;
+  Length height;
+  bool flat = true;  // has the faces z = 0 and z = height
+};
+
+enum Shape { kBox, kCylinder, kCone, kSphere, kTorus, kShapeCount };
+
+Solid make_solid(Shape shape, SeededStream& stream) {
+  const Length width = random_length(stream, 1, 4);
+  const Length height = random_length(stream, 1, 4);
+  switch (shape) {
+    case kBox:
+      return {fmt::format("translate([{0}, {0}, 0]) cube([{1}, {1}, {2}]);", (-width / 2).text(),
+                          width.text(), height.text()),
+              width.value() / 2, height};
+    case kCylinder:
+      return {fmt::format("cylinder(h={}, r={});", height.text(), width.text()), width.value(),
+              height};
+    case kCone:
+      return {fmt::format("cylinder(h={}, r1={}, r2={});", height.text(), width.text(),
+                          (width / 2).text()),
+              width.value(), height};
+    case kSphere:
+      return {fmt::format("sphere({});", width.text()), width.value(), height, false};
+    case kTorus:
+    default:
+      return {fmt::format("torus({}, {});", width.text(), (width / 3).text()),
+              width.value() * 4 / 3, height, false};
+  }
+}
+
+std::string placed(const Length& x, const Length& z, const std::string& solid) {
+  return fmt::format("translate([{}, 0, {}]) {}", x.text(), z.text(), solid);
+}
+
+// Wraps the operands in two random operators, nested to the left or to the right.
+std::string combine(const std::vector<std::string>& solids, SeededStream& stream) {
+  constexpr std::array<const char*, 3> kOperators{"add", "difference", "intersection"};
+  const auto op = [&] { return kOperators[stream.below(kOperators.size())]; };
+  std::string text = fmt::format("{}() {{\n  {}\n  {}\n}}", op(), solids[0], solids[1]);
+  if (solids.size() == 3) {
+    text = stream.chance(0.5) ? fmt::format("{}() {{\n{}\n  {}\n}}", op(), text, solids[2])
+                              : fmt::format("{}() {{\n  {}\n{}\n}}", op(), solids[2], text);
+  }
+  return text;
+}
+
+}  // namespace
+
+FamilyMember coincident_faces(std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/coincident_faces", seed, case_id);
+  const Rotation rotation(stream);
+  FamilyMember member;
+  member.place = [rotation](const geometry::Vector3<double>& p) { return rotation.apply(p); };
+  const std::size_t count = 2 + stream.below(2);
+  std::vector<std::string> solids;
+  const auto material = [&](const std::string& solid) {
+    // Mostly different materials; sometimes the same.
+    const std::size_t index = stream.chance(0.8) ? solids.size() : 0;
+    solids.push_back(
+        fmt::format("material(\"{}\") {}", std::string(1, static_cast<char>('a' + index)), solid));
+  };
+
+  const Solid first = make_solid(static_cast<Shape>(stream.below(kShapeCount)), stream);
+  const Length base = random_length(stream, -2, 2);
+  material(placed({0, 1}, base, first.text));
+  for (std::size_t i = 1; i < count; ++i) {
+    const double z = base.value();
+    if (!first.flat || stream.chance(0.2)) {
+      // The same surface again, by another route to the same place.
+      const Length part = random_length(stream, -2, 2);
+      material(fmt::format("translate([0, 0, {}]) {}", part.text(),
+                           placed({0, 1}, base + -part, first.text)));
+      const double w = first.half_width;
+      member.patches.push_back(rotation.patch(
+          {-w, -w, z + (first.flat ? first.height.value() / 2 : 0)}, {2 * w, 0, 0}, {0, 2 * w, 0}));
+      continue;
+    }
+    // A solid with flat faces, one of them in the plane of the first's top or bottom, on either
+    // side of it, shifted sideways so that the faces overlap in part.
+    const Solid other = make_solid(static_cast<Shape>(stream.below(kSphere)), stream);
+    const Length plane = stream.chance(0.5) ? base + first.height : base;
+    const bool above = stream.chance(0.5);
+    const Length z0 = above ? plane : plane + -other.height;
+    const Length shift = random_length(stream, -1, 1);
+    material(placed(shift, z0, other.text));
+    const double low = std::max(-first.half_width, shift.value() - other.half_width);
+    const double high = std::min(first.half_width, shift.value() + other.half_width);
+    const double w = std::min(first.half_width, other.half_width);
+    member.patches.push_back(
+        rotation.patch({low, -w, plane.value()}, {high - low, 0, 0}, {0, 2 * w, 0}));
+  }
+  member.text = fmt::format("{}{}\n", rotation.text(), combine(solids, stream));
+  return member;
+}
+
+FamilyMember ghost_cylinders(std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/ghost_cylinders", seed, case_id);
+  const Rotation rotation(stream);
+  const Length top = random_length(stream, 1, 3);
+  const auto cylinder = [&](const char* name, const Length& radius, const Length& x) {
+    return fmt::format(
+        "  material(\"{}\") translate([{}, 0, 0]) difference() {{\n    infinite_cylinder({});\n"
+        "    halfspace([0, 0, 1], 0);\n    halfspace([0, 0, -1], -{});\n  }}\n",
+        name, x.text(), radius.text(), top.text());
+  };
+  const Length radius_a = random_length(stream, 1, 2);
+  const Length radius_b = random_length(stream, 1, 2);
+  const Length gap{stream.integer(1, 5), 7};
+  const Length x_b = radius_a + radius_b + gap;
+  const std::string a = cylinder("a", radius_a, {0, 1});
+  const std::string b = cylinder("b", radius_b, x_b);
+  const bool a_first = stream.chance(0.5);
+  FamilyMember member;
+  member.place = [rotation](const geometry::Vector3<double>& p) { return rotation.apply(p); };
+  member.text =
+      fmt::format("{}add() {{\n{}{}}}\n", rotation.text(), a_first ? a : b, a_first ? b : a);
+  for (const auto& [x, radius] :
+       {std::pair{0.0, radius_a.value()}, std::pair{x_b.value(), radius_b.value()}}) {
+    const double half = radius / std::sqrt(2.0);
+    member.patches.push_back(
+        rotation.patch({x - half, -half, top.value()}, {2 * half, 0, 0}, {0, 2 * half, 0}));
+  }
+  return member;
+}
+
+}  // namespace lamina::scene

@@ -1,0 +1,87 @@
+#include "scene/rounding.hpp"
+
+#include <map>
+
+#include "base/contract.hpp"
+
+namespace lamina::scene {
+namespace {
+
+using geometry::AffineMap;
+
+std::optional<AffineMap> rounded(const AffineMap& map, const Rounding& round) {
+  AffineMap result;
+  for (std::size_t i = 0; i < map.rows.size(); ++i) {
+    for (std::size_t j = 0; j < map.rows[i].size(); ++j) {
+      const auto entry = round(map.rows[i][j]);
+      if (!entry) {
+        return std::nullopt;
+      }
+      result.rows[i][j] = *entry;
+    }
+  }
+  return result;
+}
+
+// Finds the carriers of the leaves anew; false if a surface is none any more.
+bool place_carriers(Scene& scene) {
+  std::map<surface::Carrier, surface::CarrierIndex> known;
+  scene.carriers.clear();
+  scene.leaves_of_carrier.clear();
+  for (csg::LeafIndex i = 0; i < scene.leaves.size(); ++i) {
+    Leaf& leaf = scene.leaves[i];
+    try {
+      auto [carrier, side] = surface::carrier_of(leaf.surface, scene.frames[leaf.frame]);
+      const auto [place, added] =
+          known.emplace(carrier, static_cast<surface::CarrierIndex>(scene.carriers.size()));
+      if (added) {
+        scene.carriers.push_back(std::move(carrier));
+        scene.leaves_of_carrier.emplace_back();
+      }
+      leaf.carrier = place->second;
+      leaf.side = side;
+      scene.leaves_of_carrier[leaf.carrier].push_back(i);
+    } catch (const base::InputError&) {  // f has become constant
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+AffineMap inverse_of_rounded_placement(const AffineMap& frame, const Rounding& round) {
+  const auto placement = rounded(inverse(frame).value(), round);
+  return placement ? inverse(*placement).value_or(frame) : frame;
+}
+
+std::optional<Scene> rounded_scene(const Scene& scene, const Rounding& round) {
+  Scene result = scene;
+  for (AffineMap& frame : result.frames) {
+    frame = inverse_of_rounded_placement(frame, round);
+  }
+  for (Leaf& leaf : result.leaves) {
+    for (number::Rational& coefficient : leaf.surface.coefficients) {
+      const auto value = round(coefficient);
+      if (!value) {
+        return std::nullopt;
+      }
+      coefficient = *value;
+    }
+  }
+  return place_carriers(result) ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<Scene> scene_of_constants(const Scene& rounded_scene, const Rounding& round) {
+  Scene result = rounded_scene;
+  for (AffineMap& frame : result.frames) {
+    const auto map = rounded(frame, round);
+    if (!map || determinant(*map).is_zero()) {
+      return std::nullopt;
+    }
+    frame = *map;
+  }
+  return place_carriers(result) ? std::optional(std::move(result)) : std::nullopt;
+}
+
+}  // namespace lamina::scene

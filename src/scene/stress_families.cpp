@@ -1,0 +1,213 @@
+#include "scene/stress_families.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/contract.hpp"
+#include "scene/placement.hpp"
+
+namespace lamina::scene {
+namespace {
+
+using base::SeededStream;
+using number::Rational;
+using Point = geometry::Vector3<double>;
+
+constexpr const char* kHalfWidth = "50";  // of what is wide
+
+// What is given, one of the words; or an error that lists them.
+const std::string& word(const std::string& given, const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), given) == words.end()) {
+    throw base::InputError(fmt::format("'{}': one of {}", given, fmt::join(words, ", ")));
+  }
+  return given;
+}
+
+// A positive number, exact.
+Rational positive(const std::string& text) {
+  const Rational value = number::parse_rational(text);
+  if (value.sign() <= 0) {
+    throw base::InputError(fmt::format("'{}': a number above 0", text));
+  }
+  return value;
+}
+
+std::int64_t whole(const std::string& text, std::int64_t low, std::int64_t high) {
+  const Rational value = number::parse_rational(text);
+  if (denominator(value) != 1 || value < low || value > high) {
+    throw base::InputError(fmt::format("'{}': a whole number from {} to {}", text, low, high));
+  }
+  return static_cast<std::int64_t>(number::nearest_double(value));
+}
+
+FamilyMember placed_member(const Placement& placement, const std::string& solid) {
+  return {placement.text() + solid + "\n", {},
+          [placement](const Point& p) { return placement.apply(p); }};
+}
+
+// The half-spaces of a solid around the origin, each equation times `factor`.
+std::string from_equations(const std::string& solid, const Length& radius, int factor) {
+  const Rational r(radius.numerator, radius.denominator);
+  const auto n = [factor](const Rational& value) {
+    return number::to_text(Rational(value * factor));
+  };
+  const auto diagonal = [&](const Rational& x, const Rational& y, const Rational& z,
+                            const Rational& w) {
+    return fmt::format("quadric([[{}, 0, 0, 0], [0, {}, 0, 0], [0, 0, {}, 0], [0, 0, 0, {}]]); ",
+                       n(x), n(y), n(z), n(w));
+  };
+  const auto plane = [&](int x, int y, int z) {
+    return fmt::format("halfspace([{}, {}, {}], {}); ", n(x), n(y), n(z), n(r));
+  };
+  const std::string caps = plane(0, 0, 1) + plane(0, 0, -1);
+  if (solid == "sphere") {
+    return diagonal(1, 1, 1, -r * r);
+  }
+  if (solid == "box") {
+    return "intersection() { " + caps + plane(1, 0, 0) + plane(-1, 0, 0) + plane(0, 1, 0) +
+           plane(0, -1, 0) + "}";
+  }
+  // The cone has its apex in the lower cap plane's middle: x^2 + y^2 <= ((z + r) / 2)^2.
+  const std::string side =
+      solid == "cylinder"
+          ? diagonal(1, 1, 0, -r * r)
+          : fmt::format("quadric([[{0}, 0, 0, 0], [0, {0}, 0, 0], [0, 0, {1}, {2}], "
+                        "[0, 0, {2}, {3}]]); ",
+                        n(4), n(-1), n(-r), n(-r * r));
+  return "intersection() { " + side + caps + "}";
+}
+
+std::string solid_text(const std::string& solid, SeededStream& stream) {
+  const std::string a = random_length(stream, 1, 3).text();
+  const std::string b = random_length(stream, 1, 3).text();
+  if (solid == "box") {
+    return fmt::format("cube([{}, {}, {}], center=true);", a, b,
+                       random_length(stream, 1, 3).text());
+  }
+  if (solid == "cylinder") {
+    return fmt::format("cylinder(h={}, r={}, center=true);", a, b);
+  }
+  if (solid == "cone") {
+    return fmt::format("cylinder(h={}, r1={}, r2=1/3, center=true);", a, b);
+  }
+  if (solid == "sphere") {
+    return fmt::format("sphere({});", a);
+  }
+  return fmt::format("torus({}, {});", a, (random_length(stream, 1, 2) / 4).text());
+}
+
+std::string wide(const Rational& from, const Rational& height) {
+  return fmt::format("translate([-{0}, -{0}, {1}]) cube([100, 100, {2}]);", kHalfWidth,
+                     number::to_text(from), number::to_text(height));
+}
+
+}  // namespace
+
+FamilyMember self_sum(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  const std::string& solid =
+      word(parameters[0], {"box", "cylinder", "cone", "sphere", "torus"});
+  SeededStream stream("scene/self-sum/" + solid, seed, case_id);
+  const Placement placement(stream);
+  const std::string text = solid_text(solid, stream);
+  const Length whole_way = random_length(stream, -2, 2);
+  const Length part = random_length(stream, -2, 2);
+  return placed_member(
+      placement,
+      fmt::format("add() {{\n  material(\"first\") translate([{0}, 0, 0]) {3}\n"
+                  "  material(\"second\") translate([{1}, 0, 0]) translate([{2}, 0, 0]) {3}\n}}",
+                  whole_way.text(), part.text(), (whole_way + -part).text(), text));
+}
+
+FamilyMember self_difference(const Parameters& parameters, std::uint64_t seed,
+                             std::uint64_t case_id) {
+  const std::string& solid = word(parameters[0], {"box", "cylinder", "cone", "sphere"});
+  const std::string& equation = word(parameters[1], {"same", "scaled"});
+  SeededStream stream("scene/self-difference/" + solid, seed, case_id);
+  const Placement placement(stream);
+  const Length radius = random_length(stream, 1, 3);
+  return placed_member(placement,
+                       fmt::format("difference() {{\n  {}\n  {}\n}}",
+                                   from_equations(solid, radius, 1),
+                                   from_equations(solid, radius, equation == "same" ? 1 : 3)));
+}
+
+FamilyMember touching_stack(const Parameters& parameters, std::uint64_t seed,
+                            std::uint64_t case_id) {
+  constexpr std::int64_t kMost = 100'000;
+  const std::int64_t cubes = whole(parameters[0], 1, kMost);
+  SeededStream stream("scene/touching-stack", seed, case_id);
+  const Placement placement(stream);
+  std::string text = "add() {\n";
+  for (std::int64_t i = 0; i < cubes; ++i) {
+    text += fmt::format("  material(\"{}\") translate([0, 0, {}]) cube(1);\n",
+                        i % 2 == 0 ? "even" : "odd", i);
+  }
+  return placed_member(placement, text + "}");
+}
+
+FamilyMember thin_wall(const Parameters&, std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/thin-wall", seed, case_id);
+  return placed_member(
+      Placement(stream), "difference() {\n  sphere(2);\n  translate([0, 0, 1/2]) sphere(3/2);\n}");
+}
+
+FamilyMember slab(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/slab", seed, case_id);
+  return placed_member(Placement(stream), wide(0, positive(parameters[0])));
+}
+
+FamilyMember gap(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/gap", seed, case_id);
+  return placed_member(Placement(stream),
+                       fmt::format("add() {{\n  material(\"lower\") {}\n  material(\"upper\") {}\n}}",
+                                   wide(-1, 1), wide(positive(parameters[0]), 1)));
+}
+
+FamilyMember four_cases(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  const std::string& which = word(parameters[0], {"i", "ii", "iii", "iv"});
+  const Rational apart = positive(parameters[1]);
+  SeededStream stream("scene/four-cases", seed, case_id);
+  const Placement placement(stream);
+  const bool on_top = which == "i" || which == "ii";
+  const Rational surface = which == "i" || which == "iii" ? 1 + apart : 1 - apart;
+  const Rational low = on_top ? surface : Rational(2, 5);
+  const Rational height = on_top ? Rational(2, 3) : Rational(surface - low);
+  FamilyMember member = placed_member(
+      placement, fmt::format("difference() {{\n  material(\"A\") cube([2, 2, 1]);\n"
+                             "  material(\"B\") translate([1/3, 1/2, {}]) cube([4/3, 1, {}]);\n}}",
+                             number::to_text(low), number::to_text(height)));
+  const Point corner = placement.apply({1.0 / 3, 0.5, 1});
+  member.patches.push_back({corner, placement.apply({5.0 / 3, 0.5, 1}) - corner,
+                            placement.apply({1.0 / 3, 1.5, 1}) - corner});
+  return member;
+}
+
+FamilyMember far_origin(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  const std::string& how = word(parameters[0], {"translated", "scaled"});
+  constexpr std::int64_t kMost = 30;
+  const std::string power = fmt::format("1e{}", whole(parameters[1], -kMost, kMost));
+  FamilyMember member = coincident_faces(seed, case_id);
+  member.text = (how == "scaled" ? fmt::format("scale({}) ", power)
+                                 : fmt::format("translate([{0}, {0}, {0}]) ", power)) +
+                member.text;
+  member.patches.clear();
+  return member;
+}
+
+FamilyMember unclosed(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  const std::string& solid = word(parameters[0], {"cylinder", "cone", "slab"});
+  SeededStream stream("scene/unclosed", seed, case_id);
+  const std::string text =
+      solid == "cylinder" ? "cylinder(h=2, r=1, center=true);"
+      : solid == "cone"   ? "cylinder(h=2, r1=2, r2=0, center=true);"
+                          : "intersection() { halfspace([0, 0, 1], 1); halfspace([0, 0, -1], 1); }";
+  return placed_member(Placement::aligned(stream), text);
+}
+
+FamilyMember ball(const Parameters&, std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/ball", seed, case_id);
+  return placed_member(Placement(stream), "sphere(1);");
+}
+
+}  // namespace lamina::scene
