@@ -1,8 +1,10 @@
 #include "census/minimise.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <compare>
+#include <map>
 #include <set>
 #include <unordered_set>
 
@@ -20,32 +22,6 @@ using number::Rational;
 using scene::Node;
 using scene::Scene;
 using scene::Value;
-
-// What is wrong in one number type, apart from whether it is in exact numbers too.
-std::optional<Symptom> symptom_in(const Scene& scene, const ExactRay& ray, const Truth& truth,
-                                  const method::Method& method, method::Tracer& tracer) {
-  Judge judge(truth, tracer, scene.leaves.size());
-  method::Report report;
-  tracer.find(ray);
-  tracer.run(method, report);
-  judge.match();
-  const Verdict verdict = judge.judge(report, 1);
-  if (verdict.right()) {
-    return std::nullopt;
-  }
-  Symptom symptom;
-  symptom.first_wrong = verdict[Artifact::FirstWrong] > 0;
-  const auto& findings = judge.findings();
-  const auto nearest = std::min_element(findings.begin(), findings.end(),
-                                        [](const auto& a, const auto& b) { return a.cls < b.cls; });
-  symptom.artifact =
-      nearest != findings.end()
-          ? nearest->artifact
-          : static_cast<Artifact>(std::find_if(verdict.count.begin(), verdict.count.end(),
-                                               [](auto count) { return count > 0; }) -
-                                  verdict.count.begin());
-  return symptom;
-}
 
 std::array<Rational*, 6> coordinates(ExactRay& ray) {
   auto& [o, d] = ray;
@@ -75,6 +51,17 @@ int exponent_of(const Rational& value) {
          static_cast<int>(msb(Integer(denominator(value))));
 }
 
+// The significand bits of the shortest binary float that holds the value; INT_MAX if none does.
+int significand_bits(const Rational& value) {
+  if (value == 0) {
+    return 0;
+  }
+  const Integer magnitude = abs(numerator(value));
+  return Integer(denominator(value) & (denominator(value) - 1)) == 0
+             ? static_cast<int>(msb(magnitude) - lsb(magnitude)) + 1
+             : INT_MAX;
+}
+
 Rational largest_coordinate(const ExactPoint& point) {
   return std::max({Rational(abs(point.x)), Rational(abs(point.y)), Rational(abs(point.z))});
 }
@@ -93,7 +80,8 @@ std::vector<Rational> shortest_first(std::vector<Rational> candidates, const Rat
 }
 
 // Rationals that could stand for a positive one: small ones, and near ones with a small
-// denominator or few digits.
+// denominator or few digits. What holds the value holds them too: no error of representation
+// comes in.
 std::vector<Rational> simpler_numbers(const Rational& value) {
   std::vector<Rational> candidates{0, 1, 2, Rational(1, 10), Rational(1, 3)};
   for (const int denominator : {1, 3, 7}) {
@@ -126,6 +114,9 @@ std::vector<Rational> simpler_numbers(const Rational& value) {
       rest = 1 / Rational(rest - whole);
     }
   }
+  std::erase_if(candidates, [bits = significand_bits(value)](const Rational& candidate) {
+    return significand_bits(candidate) > bits;
+  });
   return shortest_first(std::move(candidates), value);
 }
 
@@ -202,6 +193,16 @@ surface::LocalSurface in_world(const surface::LocalSurface& plane, const AffineM
   return result;
 }
 
+// Of a cone with the axis z, unless it is at the origin.
+std::optional<Rational> apex_of(const surface::LocalSurface& surface) {
+  const auto& c = surface.coefficients;
+  if (surface.kind != surface::Kind::Quadric || c[2] == 0 || c[8] == 0) {
+    return std::nullopt;
+  }
+  const Rational apex = -c[8] / (2 * c[2]);
+  return c[9] == c[2] * apex * apex ? std::optional(apex) : std::nullopt;
+}
+
 struct Size {
   std::size_t leaves = 0;
   std::size_t characters = 0;
@@ -210,13 +211,17 @@ struct Size {
   friend auto operator<=>(const Size&, const Size&) = default;
 };
 
+constexpr const char* kLeftOut = "*";  // the modifier
+
 class Reducer {
  public:
   Reducer(const Scene& scene, const ExactRay& ray, const Shows& shows, const Progress& progress)
       : shows_(shows), progress_(progress), all_leaves_(scene.leaves.size()) {
     best_.text = scene::text_of(scene::syntax_of(scene));
     best_.ray = ray;
+    ray_bits_ = bits_of(ray);
     read_best();
+    starts_on_surface_ = starts_on_surface(best_.scene, ray);
     LAMINA_REQUIRE(shows_(best_.scene, ray), "the case shows what is to stay");
   }
 
@@ -224,11 +229,13 @@ class Reducer {
     for (Size before; before != size_ && !stopped_;) {
       before = size_;
       drop_operands();
+      drop_pairs();
       drop_wrappers();
       choose_coordinates();
-      state_planes_in_world();
+      restate_leaves();
       shorten_names();
       shorten_numbers();
+      shorten_sums();
       shorten_ray();
       aim_ray();
     }
@@ -258,8 +265,27 @@ class Reducer {
     size_ = size_of(best_.scene, best_.text, best_.ray);
   }
 
-  // Is the candidate new, and does it show what is to stay?
+  static int bits_of(ExactRay ray) {
+    int bits = 0;
+    for (const Rational* coordinate : coordinates(ray)) {
+      bits = std::max(bits, significand_bits(*coordinate));
+    }
+    return bits;
+  }
+
+  static bool starts_on_surface(const Scene& scene, const ExactRay& ray) {
+    return std::any_of(
+        scene.carriers.begin(), scene.carriers.end(),
+        [&ray](const surface::Carrier& c) { return surface::sign_at(c, ray.origin) == 0; });
+  }
+
+  // Does the new candidate show what is to stay? A number type that holds the given ray holds
+  // all others, and they start on a surface only if it does: both are difficulties of their own.
   bool shows(const Scene& scene, const std::string& text, ExactRay ray) {
+    if (ray.direction == ExactPoint{} || bits_of(ray) > ray_bits_ ||
+        (!starts_on_surface_ && starts_on_surface(scene, ray))) {
+      return false;
+    }
     std::string key = text;
     for (const Rational* coordinate : coordinates(ray)) {
       key += ' ' + coordinate->str();
@@ -291,8 +317,8 @@ class Reducer {
   bool accept(const Node& root) { return accept(root, best_.ray); }
 
   bool accept(const ExactRay& ray) {
-    if (stopped_ || ray.direction == ExactPoint{} ||
-        size_of(best_.scene, best_.text, ray) >= size_ || !shows(best_.scene, best_.text, ray)) {
+    if (stopped_ || size_of(best_.scene, best_.text, ray) >= size_ ||
+        !shows(best_.scene, best_.text, ray)) {
       return false;
     }
     best_.ray = ray;
@@ -300,24 +326,37 @@ class Reducer {
     return true;
   }
 
-  // Of each operator's operands, halves and smaller parts, the outermost operators first.
+  // Of each node's children, halves and smaller parts, the outermost nodes first.
   void drop_operands() {
-    const auto operands = [this](Node& root, std::size_t index) -> std::vector<Node>* {
+    const auto children = [](Node& root, std::size_t index) -> std::vector<Node> {
       const auto nodes = nodes_of(root);
-      return index < nodes.size() ? &nodes[index]->children : nullptr;
+      return index < nodes.size() ? nodes[index]->children : std::vector<Node>{};
     };
-    for (std::size_t index = 0; operands(root_, index) != nullptr; ++index) {
-      for (std::size_t part = operands(root_, index)->size() / 2; part > 0; part /= 2) {
-        for (std::size_t first = 0;;) {
+    for (std::size_t index = 0; index < nodes_of(root_).size(); ++index) {
+      for (std::size_t part = children(root_, index).size() / 2; part > 0; part /= 2) {
+        for (std::size_t first = 0; first < children(root_, index).size();) {
           Node edited = root_;
-          std::vector<Node>* children = operands(edited, index);
-          if (children == nullptr || children->size() < 2 || first >= children->size()) {
-            break;
+          std::vector<Node>& operands = nodes_of(edited)[index]->children;
+          for (std::size_t i = first; i < std::min(first + part, operands.size()); ++i) {
+            operands[i].modifiers = kLeftOut;
           }
-          const auto begin = children->begin() + static_cast<std::ptrdiff_t>(first);
-          children->erase(begin, begin + static_cast<std::ptrdiff_t>(
-                                             std::min(part, children->size() - first)));
           first += accept(edited) ? 0 : part;
+        }
+      }
+    }
+  }
+
+  // What single operands cannot be dropped without.
+  void drop_pairs() {
+    constexpr std::size_t kNodes = 40;
+    const std::size_t count = nodes_of(root_).size();
+    for (std::size_t i = 1; i < count && count <= kNodes; ++i) {
+      for (std::size_t j = i + 1; j < count; ++j) {
+        Node edited = root_;
+        const auto nodes = nodes_of(edited);
+        nodes[i]->modifiers = nodes[j]->modifiers = kLeftOut;
+        if (accept(edited)) {
+          return drop_pairs();
         }
       }
     }
@@ -379,28 +418,30 @@ class Reducer {
     }
   }
 
-  // Planes without a frame: all, then each.
-  void state_planes_in_world() {
-    const auto state = [](Scene& scene, std::size_t index) {
+  // Planes in world coordinates, and cones with the apex at the origin of theirs: all, then each.
+  void restate_leaves() {
+    const auto restate = [](Scene& scene, std::size_t index) {
       scene::Leaf& leaf = scene.leaves[index];
+      const AffineMap to_local = scene.frames[leaf.frame];
       if (leaf.surface.kind == surface::Kind::Plane) {
-        leaf.surface = in_world(leaf.surface, scene.frames[leaf.frame]);
-        leaf.frame = static_cast<std::uint32_t>(scene.frames.size() - 1);
+        leaf.surface = in_world(leaf.surface, to_local);
+        scene.frames.emplace_back();
+      } else if (const auto apex = apex_of(leaf.surface)) {
+        leaf.surface.coefficients[8] = leaf.surface.coefficients[9] = 0;
+        scene.frames.push_back(compose(geometry::translation({0, 0, -*apex}), to_local));
+      } else {
+        return;
       }
+      leaf.frame = static_cast<std::uint32_t>(scene.frames.size() - 1);
     };
-    const auto with_identity = [this] {
-      Scene scene = best_.scene;
-      scene.frames.emplace_back();
-      return scene;
-    };
-    Scene edited = with_identity();
+    Scene edited = best_.scene;
     for (std::size_t leaf = 0; leaf < edited.leaves.size(); ++leaf) {
-      state(edited, leaf);
+      restate(edited, leaf);
     }
     accept(scene::syntax_of(edited));
     for (std::size_t leaf = 0; leaf < best_.scene.leaves.size(); ++leaf) {
-      edited = with_identity();
-      state(edited, leaf);
+      edited = best_.scene;
+      restate(edited, leaf);
       accept(scene::syntax_of(edited));
     }
   }
@@ -423,23 +464,33 @@ class Reducer {
     }
   }
 
-  // The same number everywhere at once, so that what coincides by it still does; then one by one.
-  void shorten_numbers() {
+  // The magnitudes of the numbers, the longest first.
+  std::vector<Rational> magnitudes() {
     std::vector<Rational> values;
     for (const Rational* number : contents_of<Rational>(root_)) {
       values.emplace_back(abs(*number));
     }
     values = shortest_first(std::move(values), 0);
     std::reverse(values.begin(), values.end());
-    for (const Rational& value : values) {
+    return values;
+  }
+
+  // Puts other magnitudes for those that have a new one, wherever they stand.
+  bool accept_numbers(const std::map<Rational, Rational>& new_magnitude) {
+    Node edited = root_;
+    for (Rational* number : contents_of<Rational>(edited)) {
+      if (const auto found = new_magnitude.find(abs(*number)); found != new_magnitude.end()) {
+        *number = *number < 0 ? Rational(-found->second) : found->second;
+      }
+    }
+    return accept(edited);
+  }
+
+  // The same number everywhere at once, so that what coincides by it still does; then one by one.
+  void shorten_numbers() {
+    for (const Rational& value : magnitudes()) {
       for (const Rational& simpler : simpler_numbers(value)) {
-        Node edited = root_;
-        for (Rational* number : contents_of<Rational>(edited)) {
-          if (abs(*number) == value) {
-            *number = *number < 0 ? Rational(-simpler) : simpler;
-          }
-        }
-        if (accept(edited)) {
+        if (accept_numbers({{value, simpler}})) {
           break;
         }
       }
@@ -455,6 +506,37 @@ class Reducer {
         if (accept(edited)) {
           break;
         }
+      }
+    }
+  }
+
+  // Numbers one of which is the sum of the others, together: surfaces in different frames
+  // coincide by such sums.
+  void shorten_sums() {
+    static constexpr std::size_t kTried = 12;
+    const auto first_few = [](const Rational& value) {
+      std::vector<Rational> few = simpler_numbers(value);
+      few.resize(std::min(few.size(), kTried));
+      few.push_back(value);
+      return few;
+    };
+    const std::vector<Rational> values = magnitudes();
+    for (auto a = values.begin(); a != values.end(); ++a) {
+      for (auto b = a; b != values.end(); ++b) {
+        const Rational sum = *a + *b;
+        if (std::find(values.begin(), values.end(), sum) == values.end()) {
+          continue;
+        }
+        const auto shorten = [&] {
+          for (const Rational& x : first_few(*a)) {
+            for (const Rational& y : a == b ? std::vector{x} : first_few(*b)) {
+              if (accept_numbers({{*a, x}, {*b, y}, {sum, x + y}})) {
+                return;
+              }
+            }
+          }
+        };
+        shorten();
       }
     }
   }
@@ -505,28 +587,13 @@ class Reducer {
   Case best_;
   Node root_;  // of best_
   Size size_;  // of best_
-  std::unordered_set<std::size_t> tried_;
+  int ray_bits_ = 0;
+  bool starts_on_surface_ = false;
+  std::unordered_set<std::size_t> tried_;  // hashes
   bool stopped_ = false;
 };
 
 }  // namespace
-
-std::optional<Symptom> symptom(const Scene& scene, const ExactRay& ray,
-                               const method::Method& method, const method::NumberChoice& number,
-                               const poly::Solvers& solvers) {
-  Truth truth(scene);
-  truth.find(ray);
-  if (truth.in_some_carrier()) {
-    return std::nullopt;
-  }
-  const auto tracer = number.make_tracer(scene, solvers);
-  std::optional<Symptom> found = symptom_in(scene, ray, truth, method, *tracer);
-  if (found) {
-    const auto exact = method::make_tracer<number::exact>(scene, solvers);
-    found->in_exact = symptom_in(scene, ray, truth, method, *exact) == found;
-  }
-  return found;
-}
 
 Case minimise(const Scene& scene, const ExactRay& ray, const Shows& shows,
               const Progress& progress) {

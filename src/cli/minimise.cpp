@@ -12,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "report/census_table.hpp"
 #include "report/explain.hpp"
+#include "report/symptom.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -35,24 +36,14 @@ std::string commented(const std::string& text) {
   return result;
 }
 
-std::string text_of(const census::Symptom& symptom) {
-  using census::Artifact;
-  std::string text;
-  if (symptom.first_wrong && symptom.artifact != Artifact::FirstWrong) {
-    text = fmt::format("{}, ", census::artifact_texts()[0].heading);
-  }
-  text += census::artifact_texts()[static_cast<std::size_t>(symptom.artifact)].heading;
-  return text + (symptom.in_exact ? "; in exact numbers too" : "; not in exact numbers");
-}
-
 // The small case as a scene file that says what it shows and how to replay it.
 std::string document(const Options& options, const census::Case& small,
-                     const census::Symptom& symptom, std::size_t leaves_before,
+                     const report::Symptom& symptom, std::size_t leaves_before,
                      std::span<const method::Method> methods,
                      std::span<const method::NumberChoice> numbers, const poly::Solvers& solvers) {
   const std::string file = options.out.empty() ? "FILE" : options.out;
   std::string text = fmt::format("// {} in {}: {}\n// leaves: {} of the {} of {}\n",
-                                 methods[0].name, numbers[0].name, text_of(symptom),
+                                 methods[0].name, numbers[0].name, report::text_of(symptom),
                                  small.scene.leaves.size(), leaves_before, options.scene.path);
   text += small.text;
   text += fmt::format("// lamina explain {} --ray \"{}\" --methods {} --numbers {}", file,
@@ -76,7 +67,7 @@ void run(const Options& options) {
   const geometry::ExactRay ray = parse_ray(options.ray);
   const scene::Scene scene = options.scene.open();
   const auto symptom_of = [&](const scene::Scene& s, const geometry::ExactRay& r) {
-    return census::symptom(s, r, methods[0], numbers[0], solvers);
+    return report::symptom(s, r, methods[0], numbers[0], solvers);
   };
   const auto symptom = symptom_of(scene, ray);
   if (!symptom) {
@@ -95,10 +86,14 @@ void run(const Options& options) {
   }
   catch_interrupts();
   const census::Case small = census::minimise(
-      scene, ray, [&](const auto& s, const auto& r) { return symptom_of(s, r) == symptom; },
+      scene, ray,
+      [&](const auto& s, const auto& r) {
+        const auto found = symptom_of(s, r);
+        return found && found->shows(*symptom);
+      },
       progress_bar());
-  const std::string text =
-      document(options, small, *symptom, scene.leaves.size(), methods, numbers, solvers);
+  const std::string text = document(options, small, *symptom_of(small.scene, small.ray),
+                                    scene.leaves.size(), methods, numbers, solvers);
   if (file.is_open() && !(file << text).flush()) {
     throw base::InputError(fmt::format("'{}' cannot be written", options.out));
   }

@@ -29,7 +29,7 @@ Value list(const std::vector<Rational>& numbers) {
   return {0, std::move(values)};
 }
 
-Value list(const ExactPoint& point) { return list({point.x, point.y, point.z}); }
+Value vector(const ExactPoint& v) { return list({v.x, v.y, v.z}); }
 
 Node node(std::string name, std::vector<Value> values) {
   Node result;
@@ -95,14 +95,14 @@ std::vector<Node> transforms(const AffineMap& map) {
   const Linear linear = linear_part(map);
   std::vector<Node> nodes;
   if (shift != ExactPoint{}) {
-    nodes.push_back(node("translate", {list(shift)}));
+    nodes.push_back(node("translate", {vector(shift)}));
   }
   if (linear == linear_part({})) {
     return nodes;
   }
   const ExactPoint diagonal{m[0][0], m[1][1], m[2][2]};
   if (linear == linear_part(geometry::scaling(diagonal))) {
-    nodes.push_back(node("scale", {list(diagonal)}));
+    nodes.push_back(node("scale", {vector(diagonal)}));
     return nodes;
   }
   // With the quaternion 1 + xi + yj + zk, m[2][1] - m[1][2] is 4 x / (1 + x^2 + y^2 + z^2), and
