@@ -203,6 +203,30 @@ std::optional<Rational> apex_of(const surface::LocalSurface& surface) {
   return c[9] == c[2] * apex * apex ? std::optional(apex) : std::nullopt;
 }
 
+// Does the ray start on no surface, touch none, lie in none, and cross no two different ones at
+// the same place?
+bool is_generic(const Scene& scene, const ExactRay& ray) {
+  surface::RayMonomials monomials(ray);
+  std::vector<number::Root> roots;
+  for (const surface::Carrier& carrier : scene.carriers) {
+    const auto polynomial = monomials.restrict(carrier);
+    if (polynomial.is_zero()) {
+      return false;
+    }
+    for (number::Root& root : number::real_roots(polynomial)) {
+      if (root.multiplicity() > 1 || compare(root, Rational(0)) == 0) {
+        return false;
+      }
+      roots.push_back(std::move(root));
+    }
+  }
+  std::sort(roots.begin(), roots.end(),
+            [](const auto& a, const auto& b) { return compare(a, b) < 0; });
+  return std::adjacent_find(roots.begin(), roots.end(), [](const auto& a, const auto& b) {
+           return compare(a, b) == 0;
+         }) == roots.end();
+}
+
 struct Size {
   std::size_t leaves = 0;
   std::size_t characters = 0;
@@ -221,7 +245,7 @@ class Reducer {
     best_.ray = ray;
     ray_bits_ = bits_of(ray);
     read_best();
-    starts_on_surface_ = starts_on_surface(best_.scene, ray);
+    is_generic_ = is_generic(best_.scene, ray);
     LAMINA_REQUIRE(shows_(best_.scene, ray), "the case shows what is to stay");
   }
 
@@ -273,17 +297,11 @@ class Reducer {
     return bits;
   }
 
-  static bool starts_on_surface(const Scene& scene, const ExactRay& ray) {
-    return std::any_of(
-        scene.carriers.begin(), scene.carriers.end(),
-        [&ray](const surface::Carrier& c) { return surface::sign_at(c, ray.origin) == 0; });
-  }
-
   // Does the new candidate show what is to stay? A number type that holds the given ray holds
-  // all others, and they start on a surface only if it does: both are difficulties of their own.
+  // all others, and they are generic if it is: both are difficulties of their own.
   bool shows(const Scene& scene, const std::string& text, ExactRay ray) {
     if (ray.direction == ExactPoint{} || bits_of(ray) > ray_bits_ ||
-        (!starts_on_surface_ && starts_on_surface(scene, ray))) {
+        (is_generic_ && !is_generic(scene, ray))) {
       return false;
     }
     std::string key = text;
@@ -588,7 +606,7 @@ class Reducer {
   Node root_;  // of best_
   Size size_;  // of best_
   int ray_bits_ = 0;
-  bool starts_on_surface_ = false;
+  bool is_generic_ = false;
   std::unordered_set<std::size_t> tried_;  // hashes
   bool stopped_ = false;
 };
