@@ -62,6 +62,9 @@ int significand_bits(const Rational& value) {
              : INT_MAX;
 }
 
+// So many bits every number type holds.
+constexpr int kBitsOfAll = 8;
+
 Rational largest_coordinate(const ExactPoint& point) {
   return std::max({Rational(abs(point.x)), Rational(abs(point.y)), Rational(abs(point.z))});
 }
@@ -114,9 +117,8 @@ std::vector<Rational> simpler_numbers(const Rational& value) {
       rest = 1 / Rational(rest - whole);
     }
   }
-  std::erase_if(candidates, [bits = significand_bits(value)](const Rational& candidate) {
-    return significand_bits(candidate) > bits;
-  });
+  const int bits = std::max(significand_bits(value), kBitsOfAll);
+  std::erase_if(candidates, [bits](const Rational& c) { return significand_bits(c) > bits; });
   return shortest_first(std::move(candidates), value);
 }
 
@@ -235,6 +237,7 @@ struct Size {
   friend auto operator<=>(const Size&, const Size&) = default;
 };
 
+constexpr const char* kName = "scene";
 constexpr const char* kLeftOut = "*";  // the modifier
 
 class Reducer {
@@ -264,6 +267,7 @@ class Reducer {
       aim_ray();
     }
     progress_(all_leaves_, all_leaves_);
+    LAMINA_REQUIRE(shows_(best_.scene, best_.ray), "the text reads back as what was tested");
     return std::move(best_);
   }
 
@@ -284,13 +288,13 @@ class Reducer {
   }
 
   void read_best() {
-    best_.scene = scene::parse_scene(best_.text, "scene");
+    best_.scene = scene::parse_scene(best_.text, kName);
     root_ = scene::syntax_of(best_.scene);
     size_ = size_of(best_.scene, best_.text, best_.ray);
   }
 
   static int bits_of(ExactRay ray) {
-    int bits = 0;
+    int bits = kBitsOfAll;
     for (const Rational* coordinate : coordinates(ray)) {
       bits = std::max(bits, significand_bits(*coordinate));
     }
@@ -300,16 +304,16 @@ class Reducer {
   // Does the new candidate show what is to stay? A number type that holds the given ray holds
   // all others, and they are generic if it is: both are difficulties of their own.
   bool shows(const Scene& scene, const std::string& text, ExactRay ray) {
-    if (ray.direction == ExactPoint{} || bits_of(ray) > ray_bits_ ||
-        (is_generic_ && !is_generic(scene, ray))) {
+    if (stopped_ || ray.direction == ExactPoint{} || bits_of(ray) > ray_bits_) {
       return false;
     }
     std::string key = text;
     for (const Rational* coordinate : coordinates(ray)) {
       key += ' ' + coordinate->str();
     }
-    stopped_ = stopped_ || !progress_(all_leaves_ - size_.leaves, all_leaves_);
-    return !stopped_ && tried_.insert(std::hash<std::string>{}(key)).second && shows_(scene, ray);
+    stopped_ = !progress_(all_leaves_ - size_.leaves, all_leaves_);
+    return !stopped_ && tried_.insert(std::hash<std::string>{}(key)).second &&
+           shows_(scene, ray) && (!is_generic_ || is_generic(scene, ray));
   }
 
   // Goes on with the candidate if it is smaller and shows what is to stay.
@@ -318,13 +322,12 @@ class Reducer {
       return false;
     }
     try {
-      std::string text =
-          scene::text_of(scene::syntax_of(scene::parse_scene(scene::text_of(root), "scene")));
-      const Scene scene = scene::parse_scene(text, "scene");
+      const Scene scene = scene::parse_scene(scene::text_of(root), kName);
+      const std::string text = scene::text_of(scene::syntax_of(scene));
       if (size_of(scene, text, ray) >= size_ || !shows(scene, text, ray)) {
         return false;
       }
-      best_.text = std::move(text);
+      best_.text = text;
     } catch (const base::InputError&) {
       return false;  // a singular map, say
     }
