@@ -40,15 +40,21 @@ ExactPoint nearest_multiple(const ExactPoint& point, const Rational& step) {
           nearest_multiple(point.z, step)};
 }
 
+// 2^exponent
 Rational power_of_two(int exponent) {
   const Integer power = Integer(1) << std::abs(exponent);
   return exponent < 0 ? Rational(1, power) : Rational(power);
 }
 
-// A power of two that is at most twice as far from the value as 1 is: 2^result <= 2 |value|.
+// 2^(result - 1) < |value| < 2^(result + 1).
 int exponent_of(const Rational& value) {
   return static_cast<int>(msb(Integer(abs(numerator(value))))) -
          static_cast<int>(msb(Integer(denominator(value))));
+}
+
+// The value to so many significand bits, or one less.
+Rational rounded(const Rational& value, int bits) {
+  return value == 0 ? value : nearest_multiple(value, power_of_two(exponent_of(value) - bits + 1));
 }
 
 // The significand bits of the shortest binary float that holds the value; INT_MAX if none does.
@@ -62,8 +68,8 @@ int significand_bits(const Rational& value) {
              : INT_MAX;
 }
 
-// So many bits every number type holds.
-constexpr int kBitsOfAll = 8;
+constexpr int kBitsOfFloat = 24;
+constexpr int kBitsOfAll = 8;  // no number type has fewer
 
 Rational largest_coordinate(const ExactPoint& point) {
   return std::max({Rational(abs(point.x)), Rational(abs(point.y)), Rational(abs(point.z))});
@@ -125,10 +131,9 @@ std::vector<Rational> simpler_numbers(const Rational& value) {
 // Coordinates with fewer significand bits: number types hold what they held of the ray.
 std::vector<Rational> shorter_coordinates(const Rational& value) {
   std::vector<Rational> candidates{0, 1, -1};
-  constexpr int kBits = 24;
-  const int exponent = exponent_of(value);
-  for (int bits = -1; bits < kBits; ++bits) {
-    candidates.push_back(nearest_multiple(value, power_of_two(exponent - bits)));
+  constexpr int kBits = 53;
+  for (int bits = 0; bits < kBits; ++bits) {
+    candidates.push_back(rounded(value, bits));
   }
   return shortest_first(std::move(candidates), value);
 }
@@ -312,8 +317,8 @@ class Reducer {
       key += ' ' + coordinate->str();
     }
     stopped_ = !progress_(all_leaves_ - size_.leaves, all_leaves_);
-    return !stopped_ && tried_.insert(std::hash<std::string>{}(key)).second &&
-           shows_(scene, ray) && (!is_generic_ || is_generic(scene, ray));
+    return !stopped_ && tried_.insert(std::hash<std::string>{}(key)).second && shows_(scene, ray) &&
+           (!is_generic_ || is_generic(scene, ray));
   }
 
   // Goes on with the candidate if it is smaller and shows what is to stay.
@@ -349,13 +354,13 @@ class Reducer {
 
   // Of each node's children, halves and smaller parts, the outermost nodes first.
   void drop_operands() {
-    const auto children = [](Node& root, std::size_t index) -> std::vector<Node> {
-      const auto nodes = nodes_of(root);
-      return index < nodes.size() ? nodes[index]->children : std::vector<Node>{};
+    const auto count = [this](std::size_t index) {
+      const auto nodes = nodes_of(root_);
+      return index < nodes.size() ? nodes[index]->children.size() : 0;
     };
     for (std::size_t index = 0; index < nodes_of(root_).size(); ++index) {
-      for (std::size_t part = children(root_, index).size() / 2; part > 0; part /= 2) {
-        for (std::size_t first = 0; first < children(root_, index).size();) {
+      for (std::size_t part = count(index) / 2; part > 0; part /= 2) {
+        for (std::size_t first = 0; first < count(index);) {
           Node edited = root_;
           std::vector<Node>& operands = nodes_of(edited)[index]->children;
           for (std::size_t i = first; i < std::min(first + part, operands.size()); ++i) {
@@ -387,13 +392,12 @@ class Reducer {
   void drop_wrappers() {
     const auto drop_if = [this](const auto& dropped) {
       Node edited = root_;
-      for (Node* node : nodes_of(edited)) {
-        while (is_wrapper(*node) && dropped(*node)) {
-          Node child = std::move(node->children.front());
-          *node = std::move(child);
+      visit_nodes(edited, [&dropped](Node& node) {
+        while (is_wrapper(node) && dropped(node)) {
+          node = Node(std::move(node.children.front()));
         }
-      }
-      return accept(edited);
+      });
+      accept(edited);
     };
     std::set<std::string> names;
     std::set<std::string> heads;
@@ -413,8 +417,7 @@ class Reducer {
       Node edited = root_;
       Node* node = nodes_of(edited)[index];
       if (is_wrapper(*node)) {
-        Node child = std::move(node->children.front());
-        *node = std::move(child);
+        *node = Node(std::move(node->children.front()));
         accept(edited);
       }
     }
@@ -432,8 +435,7 @@ class Reducer {
       ExactRay ray{apply(to_local, best_.ray.origin),
                    apply_to_direction(to_local, best_.ray.direction)};
       for (Rational* coordinate : coordinates(ray)) {
-        *coordinate = number::number_traits<float>::to_exact(
-            number::number_traits<float>::from_exact(*coordinate));
+        *coordinate = rounded(*coordinate, std::min(ray_bits_, kBitsOfFloat));
       }
       accept(scene::syntax_of(moved), ray);
     }
@@ -585,12 +587,15 @@ class Reducer {
     const auto [origin, direction] = best_.ray;
     const ExactPoint unit = Rational(1 / largest_coordinate(direction)) * direction;
     for (const TruthClass& cls : truth.classes()) {
-      const Rational t = (Rational(truth.t(cls).lower()) + Rational(truth.t(cls).upper())) / 2;
+      const double nearest = number::nearest_double(truth.t(cls));
+      if (nearest == 0 || !std::isfinite(nearest)) {
+        continue;
+      }
+      const Rational t(nearest);
       const ExactPoint event = origin + t * direction;
       const Rational distance = t * largest_coordinate(direction);
       for (const Rational& away : {Rational(1), power_of_two(exponent_of(distance))}) {
-        constexpr int kBits = 24;
-        for (int bits = 0; bits < kBits; ++bits) {
+        for (int bits = 0; bits < kBitsOfFloat; ++bits) {
           ExactRay ray;
           ray.direction = nearest_multiple(unit, power_of_two(-bits));
           ray.origin = nearest_multiple(event - away * ray.direction, away * power_of_two(-bits));

@@ -26,9 +26,8 @@ std::optional<Symptom> symptom_in(const scene::Scene& scene, const geometry::Exa
   const auto nearest = std::min_element(findings.begin(), findings.end(),
                                         [](const auto& a, const auto& b) { return a.cls < b.cls; });
   const auto counted = std::find_if(count.begin(), count.end(), [](auto c) { return c > 0; });
-  symptom.artifact = nearest != findings.end()
-                         ? nearest->artifact
-                         : static_cast<Artifact>(counted - count.begin());
+  symptom.artifact = nearest != findings.end() ? nearest->artifact
+                                               : static_cast<Artifact>(counted - count.begin());
   symptom.cause = first_divergence(outcome).cause;
   return symptom;
 }
@@ -45,10 +44,10 @@ std::optional<Symptom> symptom(const scene::Scene& scene, const geometry::ExactR
   }
   auto found = symptom_in(scene, ray, truth, method, number, solvers);
   if (found) {
-    const auto exact = symptom_in(scene, ray, truth, method,
-                                  method::number_choice<number::exact>(), solvers);
-    found->in_exact = exact && exact->artifact == found->artifact &&
-                      exact->first_wrong == found->first_wrong;
+    const auto exact =
+        symptom_in(scene, ray, truth, method, method::number_choice<number::exact>(), solvers);
+    found->in_exact =
+        exact && exact->artifact == found->artifact && exact->first_wrong == found->first_wrong;
   }
   return found;
 }

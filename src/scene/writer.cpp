@@ -25,7 +25,9 @@ namespace {
 Value list(const std::vector<Rational>& numbers) {
   Value::List values;
   std::transform(numbers.begin(), numbers.end(), std::back_inserter(values),
-                 [](const Rational& number) { return Value{0, number}; });
+                 [](const Rational& number) {
+                   return Value{0, number};
+                 });
   return {0, std::move(values)};
 }
 
@@ -108,8 +110,7 @@ std::vector<Node> transforms(const AffineMap& map) {
   // With the quaternion 1 + xi + yj + zk, m[2][1] - m[1][2] is 4 x / (1 + x^2 + y^2 + z^2), and
   // so on, and 1 + the trace is 4 / (1 + x^2 + y^2 + z^2).
   if (const Rational w = 1 + diagonal.x + diagonal.y + diagonal.z; w != 0) {
-    const ExactPoint xyz{(m[2][1] - m[1][2]) / w, (m[0][2] - m[2][0]) / w,
-                         (m[1][0] - m[0][1]) / w};
+    const ExactPoint xyz{(m[2][1] - m[1][2]) / w, (m[0][2] - m[2][0]) / w, (m[1][0] - m[0][1]) / w};
     if (linear == linear_part(geometry::rotation(1, xyz))) {
       nodes.push_back(node("rotate", {list({1, xyz.x, xyz.y, xyz.z})}));
       nodes.back().arguments.front().name = "quaternion";

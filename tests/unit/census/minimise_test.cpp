@@ -117,14 +117,13 @@ TEST(MinimiseTest, RaysAreShortened) {
 
 TEST(MinimiseTest, ShorterNumbersAreHeldByWhatHeldTheLongerOnes) {
   // 3 + 1/8 has a shorter neighbour 3.1 and the ray's 1.9375 has 1.9: no binary float has them.
-  const Case small = minimised(
-      "halfspace([1, 0, 0], 3.125);",
-      [](const Scene& scene, const ExactRay& ray) {
-        return abs(scene.leaves[0].surface.coefficients[3] + 3 + Rational(1, 8)) <
-                   Rational(1, 20) &&
-               abs(ray.origin.x - Rational(31, 16)) < Rational(1, 20);
-      },
-      {{Rational(31, 16), 0, 0}, {1, 0, 0}});
+  const Case small = minimised("halfspace([1, 0, 0], 3.125);",
+                               [](const Scene& scene, const ExactRay& ray) {
+                                 return abs(scene.leaves[0].surface.coefficients[3] + 3 +
+                                            Rational(1, 8)) < Rational(1, 20) &&
+                                        abs(ray.origin.x - Rational(31, 16)) < Rational(1, 20);
+                               },
+                               {{Rational(31, 16), 0, 0}, {1, 0, 0}});
   EXPECT_EQ(small.text, "halfspace([1, 0, 0], 3.125);\n");
   EXPECT_EQ(small.ray.origin.x, Rational(31, 16));
 }
@@ -148,21 +147,20 @@ TEST(MinimiseTest, NoRayStartsOnASurfaceThatDidNot) {
 
 TEST(MinimiseTest, NoRayTouchesASurfaceOrHitsAnEdgeThatDidNot) {
   // All rays from x < -1 along x: the simplest touch the sphere, or hit the edge.
-  const Case touching = minimised(
-      "sphere(1);",
-      [](const Scene& scene, const ExactRay& ray) {
-        return scene.leaves.size() == 1 &&
-               scene.leaves[0].surface == surface::sphere(1) && ray.origin.y > Rational(9, 10) &&
-               ray.direction.y == 0;
-      },
-      {{Rational(-3), Rational(0.97F), 0}, {1, 0, 0}});
+  const Case touching = minimised("sphere(1);",
+                                  [](const Scene& scene, const ExactRay& ray) {
+                                    return scene.leaves.size() == 1 &&
+                                           scene.leaves[0].surface == surface::sphere(1) &&
+                                           ray.origin.y > Rational(9, 10) && ray.direction.y == 0;
+                                  },
+                                  {{Rational(-3), Rational(0.97F), 0}, {1, 0, 0}});
   EXPECT_NE(touching.ray.origin.y, 1);
-  const Case at_edge = minimised(
-      "intersection() { halfspace([-1, 0, 0], 0); halfspace([0, -1, 0], 0); }",
-      [](const Scene& scene, const ExactRay& ray) {
-        return scene.carriers.size() == 2 && ray.direction.x > 0 && ray.direction.y > 0;
-      },
-      {{Rational(-3), Rational(-2.9F), 0}, {1, 1, 0}});
+  const Case at_edge =
+      minimised("intersection() { halfspace([-1, 0, 0], 0); halfspace([0, -1, 0], 0); }",
+                [](const Scene& scene, const ExactRay& ray) {
+                  return scene.carriers.size() == 2 && ray.direction.x > 0 && ray.direction.y > 0;
+                },
+                {{Rational(-3), Rational(-2.9F), 0}, {1, 1, 0}});
   const auto& [o, d] = at_edge.ray;
   EXPECT_NE(o.x * d.y, o.y * d.x) << "through the z axis";
 }

@@ -11,8 +11,8 @@ std::string after(const std::string& text, const std::string& mark, char end) {
   const std::size_t begin = text.find(mark);
   return begin == std::string::npos
              ? ""
-             : text.substr(begin + mark.size(), text.find(end, begin + mark.size()) - begin -
-                                                    mark.size());
+             : text.substr(begin + mark.size(),
+                           text.find(end, begin + mark.size()) - begin - mark.size());
 }
 
 // The number of leaves that `lamina explain` reads from a scene.
@@ -78,8 +78,8 @@ TEST_P(MinimiseRealModelTest, LeavesFourLeavesAtMostWithTheSameArtifact) {
 
   const Scratch scratch;
   const std::string small = scratch.path("small.csg");
-  const Outcome outcome = lamina("minimise " + model + " --ray \"" + ray + "\"" + how + " -o " +
-                                 small);
+  const Outcome outcome =
+      lamina("minimise " + model + " --ray \"" + ray + "\"" + how + " -o " + small);
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(read(small), outcome.out);
   const std::string small_ray = after(outcome.out, "--ray \"", '"');
@@ -120,9 +120,9 @@ constexpr const char* kGhostSurface = R"(
 TEST(MinimiseCommandTest, PrintsASceneFileThatSaysWhatItShows) {
   const Scratch scratch;
   const std::string scene = scratch.write("scene.csg", kGhostSurface);
-  const Outcome outcome =
-      lamina("minimise " + scene + " --ray \"3.25 0 9 0 0.0078125 -1\" --method roth --number double"
-             " --quadratic plain");
+  const Outcome outcome = lamina("minimise " + scene +
+                                 " --ray \"3.25 0 9 0 0.0078125 -1\" --method roth --number double"
+                                 " --quadratic plain");
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_TRUE(outcome.out.starts_with(
       "// roth in double: first wrong, ghost surface; in exact numbers too\n// leaves: "))

@@ -118,8 +118,9 @@ TEST(WriterTest, AnyTreeReadsBackAsItWas) {
 TEST(WriterTest, EveryPrimitiveAndMapIsStatedAsItIs) {
   for (const std::string text :
        {"sphere(3/7);\n", "infinite_cylinder(0.1);\n", "cone(2/3);\n", "torus(2, 1/3);\n",
-        "halfspace([1, -2, 1/3], 0.7);\n", "quadric([[1, 2, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0], "
-                                           "[0, 0, 0, 1/3]]);\n",
+        "halfspace([1, -2, 1/3], 0.7);\n",
+        "quadric([[1, 2, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0], "
+        "[0, 0, 0, 1/3]]);\n",
         "translate([1, 2, 1/3]) sphere(1);\n", "scale([1, -2, 1/3]) sphere(1);\n",
         "translate([1, 0, 0]) rotate(quaternion=[1, 1/3, 0, -2]) sphere(1);\n",
         "multmatrix([[1, 1/3, 0, 0], [0, 1, 0, 5], [0, 0, 1, 0]]) sphere(1);\n",
