@@ -25,9 +25,12 @@ std::optional<Symptom> symptom_in(const scene::Scene& scene, const geometry::Exa
   symptom.first_wrong = outcome.verdict[Artifact::FirstWrong] > 0;
   const auto nearest = std::min_element(findings.begin(), findings.end(),
                                         [](const auto& a, const auto& b) { return a.cls < b.cls; });
-  const auto counted = std::find_if(count.begin(), count.end(), [](auto c) { return c > 0; });
-  symptom.artifact = nearest != findings.end() ? nearest->artifact
-                                               : static_cast<Artifact>(counted - count.begin());
+  std::size_t first_counted = 0;
+  while (count[first_counted] == 0) {
+    ++first_counted;
+  }
+  symptom.artifact =
+      nearest != findings.end() ? nearest->artifact : static_cast<Artifact>(first_counted);
   symptom.cause = first_divergence(outcome).cause;
   return symptom;
 }

@@ -19,7 +19,7 @@ struct Symptom {
   /// Is it the other one, or the same in the first interface where it was in a later one?
   [[nodiscard]] bool shows(const Symptom& other) const {
     return artifact == other.artifact && cause == other.cause && in_exact == other.in_exact &&
-           first_wrong >= other.first_wrong;
+           (first_wrong || !other.first_wrong);
   }
 };
 

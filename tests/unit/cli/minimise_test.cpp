@@ -71,31 +71,31 @@ TEST_P(MinimiseRealModelTest, LeavesFourLeavesAtMostWithTheSameArtifact) {
   if (!folder) {
     GTEST_SKIP() << support::kNoCorpus;
   }
-  const auto& [name, leaves, method, number, artifact, ray] = GetParam();
-  const std::string model = (*folder / (std::string(name) + ".csg")).string();
-  const std::string how = std::string(" --method ") + method + " --number " + number;
-  ASSERT_EQ(leaves_of(model, ray), leaves);
+  const FailingRay& given = GetParam();
+  const std::string model = (*folder / (std::string(given.model) + ".csg")).string();
+  const std::string how = std::string(" --method ") + given.method + " --number " + given.number;
+  ASSERT_EQ(leaves_of(model, given.ray), given.leaves);
 
   const Scratch scratch;
   const std::string small = scratch.path("small.csg");
   const Outcome outcome =
-      lamina("minimise " + model + " --ray \"" + ray + "\"" + how + " -o " + small);
+      lamina("minimise " + model + " --ray \"" + given.ray + "\"" + how + " -o " + small);
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(read(small), outcome.out);
   const std::string small_ray = after(outcome.out, "--ray \"", '"');
   EXPECT_LE(leaves_of(small, small_ray), 4) << outcome.out;
-  EXPECT_LT(small_ray.size(), std::string(ray).size());
-  EXPECT_TRUE(wrong(small, small_ray, method, number)) << outcome.out;
+  EXPECT_LT(small_ray.size(), std::string(given.ray).size());
+  EXPECT_TRUE(wrong(small, small_ray, given.method, given.number)) << outcome.out;
   const auto count = [&](const std::string& scene, const std::string& of_ray) {
     const Outcome census =
-        lamina("census " + scene + " --methods " + method + " --numbers " + number +
+        lamina("census " + scene + " --methods " + given.method + " --numbers " + given.number +
                " --format json --rays-file " + scratch.write("ray", of_ray + "\n"));
     EXPECT_EQ(census.status, 0) << census.error;
     const nlohmann::json row = nlohmann::json::parse(census.out).at("rows").at(0);
     EXPECT_EQ(row.at("rays"), 1);
-    return row.at(std::string(artifact) + "_count").get<int>();
+    return row.at(std::string(given.artifact) + "_count").get<int>();
   };
-  EXPECT_EQ(count(model, ray), 1);
+  EXPECT_EQ(count(model, given.ray), 1);
   EXPECT_EQ(count(small, small_ray), 1) << outcome.out;
 
   // The replay line is a command, and the comments are what it prints.
