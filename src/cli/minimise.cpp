@@ -41,7 +41,7 @@ std::string document(const Options& options, const census::Case& small,
                      const report::Symptom& symptom, std::size_t leaves_before,
                      std::span<const method::Method> methods,
                      std::span<const method::NumberChoice> numbers, const poly::Solvers& solvers) {
-  const std::string file = options.out.empty() ? "FILE" : options.out;
+  const std::string file = options.out.empty() ? "FILE" : fmt::format("'{}'", options.out);
   std::string text = fmt::format("// {} in {}: {}\n// leaves: {} of the {} of {}\n",
                                  methods[0].name, numbers[0].name, report::text_of(symptom),
                                  small.scene.leaves.size(), leaves_before, options.scene.path);
@@ -56,7 +56,7 @@ std::string document(const Options& options, const census::Case& small,
     text += " --quartic " + options.solvers.quartic;
   }
   scene::Scene named = small.scene;
-  named.name = file;
+  named.name = options.out.empty() ? file : options.out;
   return text + "\n//\n" + commented(report::explain(named, small.ray, methods, numbers, solvers));
 }
 
