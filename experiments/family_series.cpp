@@ -13,13 +13,15 @@ Aim uniform_aim() {
 }
 
 Aim coincident_aim() {
-  return {"coincident", [](const scene::FamilyMember& member, const scene::Scene&,
+  return {"coincident", [](const scene::FamilyMember& member, const scene::Scene& scene,
                            base::SeededStream& stream) {
-            constexpr double kDistance = 20;  // outside of every member
+            constexpr double kOutside = 20;  // of the members without bounds
+            const double distance =
+                scene.bounds ? scene::distance_outside(*scene.bounds) : kOutside;
             const auto& patch = member.patches[stream.below(member.patches.size())];
             const double u = stream.unit();
             return scene::ray_through(patch.corner + u * patch.side1 + stream.unit() * patch.side2,
-                                      kDistance, stream);
+                                      distance, stream);
           }};
 }
 

@@ -122,7 +122,7 @@ Experiment epsilon_gap() {
                       "gap: two solids that are g apart; slab: one that is g thick."},
                      {"ratio", "g / epsilon", "Epsilon is 1e-4."},
                      {"angle", "angle", "Degrees between the ray and head-on; any: uniform."}},
-          .default_rays = 8'400,
+          .default_rays = 56'000,
           .default_numbers = "float,double,exact",
           .series = series,
           .tables = tables};

@@ -29,7 +29,7 @@ Experiment four_cases() {
                      {"case", "case",
                       "Of A - B: i, B hovers over A; ii, B stands in A; iii, B pokes out of A; iv, "
                       "B ends below the top of A."}},
-          .default_rays = 6'000,
+          .default_rays = 24'000,
           .default_numbers = "float,double,bin113,exact",
           .series = series};
 }

@@ -7,31 +7,39 @@
 
 namespace lamina::experiments {
 
-Aim grazing_aim(int k, double distance) {
-  const auto draw = [k, distance](const scene::FamilyMember& member, const scene::Scene&,
-                                  base::SeededStream& stream) {
-    const geometry::Vector3<double> d = scene::random_direction(stream);
-    const geometry::Vector3<double> across = cross(d, scene::random_direction(stream));
+Aim grazing_aim(const std::string& solid, int k, double distance) {
+  using Point = geometry::Vector3<double>;
+  const bool ring = solid == "ring";
+  const auto draw = [ring, k, distance](const scene::FamilyMember& member, const scene::Scene&,
+                                        base::SeededStream& stream) {
+    const Point normal = scene::random_direction(stream);
+    const double across = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    const Point surface =
+        ring ? Point{normal.x / across, normal.y / across, 0} + 0.25 * normal : normal;
+    const Point d = cross(normal, scene::random_direction(stream));
+    const Point along = (1 / std::sqrt(dot(d, d))) * d;
     const double depth = std::pow(10.0, -k - stream.unit()) * (stream.chance(0.5) ? 1 : -1);
-    const geometry::Vector3<double> nearest =
-        ((1 - depth) / std::sqrt(dot(across, across))) * across;
-    return scene::ray_from(member.place(nearest - distance * d), member.place(nearest),
+    const Point nearest = surface - depth * normal;
+    return scene::ray_from(member.place(nearest - distance * along), member.place(nearest),
                            scene::Held::Double);
   };
-  return {fmt::format("grazing/{}/{}", k, distance), draw};
+  return {fmt::format("grazing/{}/{}/{}", solid, k, distance), draw};
 }
 
 namespace {
 
 std::vector<Series> series(const Settings& settings) {
+  const std::vector<std::string> solids{"ball", "ring"};
   const std::vector<double> distances{10, 1e3, 1e5};
   const std::vector<int> depths{4, 6, 8, 10, 12, 14, 16};
+  const std::uint64_t rays = settings.rays / (solids.size() * distances.size() * depths.size());
   std::vector<Series> all;
-  for (const double distance : distances) {
-    for (const int k : depths) {
-      all.push_back(family_series({distance, fmt::format("1e-{}", k)}, "ball",
-                                  grazing_aim(k, distance),
-                                  settings.rays / (distances.size() * depths.size()), settings));
+  for (const std::string& solid : solids) {
+    for (const double distance : distances) {
+      for (const int k : depths) {
+        all.push_back(family_series({solid, distance, fmt::format("1e-{}", k)}, "round:" + solid,
+                                    grazing_aim(solid, k, distance), rays, settings));
+      }
     }
   }
   return all;
@@ -41,14 +49,14 @@ std::vector<Series> series(const Settings& settings) {
 
 Experiment near_tangent() {
   return {.name = "near-tangent",
-          .question = "Does a method survive rays that graze a sphere, where the normal tells "
-                      "entering from leaving no more?",
+          .question = "Does the normal tell entering from leaving where a ray grazes a surface?",
           .source = "Wyvill and Trotman 1990, section 3.2",
-          .labels = {{"distance", "distance", "From the eye to the unit sphere."},
+          .labels = {{"solid", "solid", "ball: a unit sphere; ring: a torus of radii 1 and 1/4."},
+                     {"distance", "distance", "From the eye to the surface."},
                      {"depth", "depth",
-                      "How far rays pass inside or outside of the surface: from this to a tenth "
-                      "of it."}},
-          .default_rays = 8'400,
+                      "How far below or above the tangent plane rays pass: from this to a tenth of "
+                      "it."}},
+          .default_rays = 42'000,
           .default_methods = "roth,regularized,wyvill-trotman,wyvill-trotman:parity",
           .default_numbers = "double,longdouble,bin113,exact",
           .series = series};

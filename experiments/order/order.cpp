@@ -11,8 +11,8 @@ std::vector<Series> series(const Settings& settings) {
   };
   const std::vector<Kind> kinds{{"coincident-faces", coincident_aim()},
                                 {"ghost-cylinders", coincident_aim()},
-                                {"self-sum:sphere", uniform_aim()},
-                                {"self-sum:box", uniform_aim()},
+                                {"self-sum:sphere:same", uniform_aim()},
+                                {"self-sum:box:same", uniform_aim()},
                                 {"touching-stack:10", uniform_aim()}};
   std::vector<Series> all;
   for (const Kind& kind : kinds) {
@@ -58,7 +58,7 @@ Experiment order() {
           .question = "How much of what a method sees hangs on the order of the leaves?",
           .source = "Wyvill and Trotman 1990, section 3.4: events at one point, ties by leaf",
           .labels = {{"scene", "scene", "Family; rays at coincident faces, or at the box."}},
-          .default_rays = 5'000,
+          .default_rays = 20'000,
           .default_methods = "roth,wyvill-sharp,epsilon,regularized,wyvill-trotman,"
                              "wyvill-trotman:no-look-ahead",
           .default_numbers = "float,double,exact",

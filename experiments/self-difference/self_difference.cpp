@@ -37,7 +37,8 @@ Experiment self_difference() {
           .labels = {{"solid", "solid", "Less itself; rays go through a cube around its middle."},
                      {"equation", "equation",
                       "Of the second solid: the same, or the same scaled by 3."}},
-          .default_rays = 6'400,
+          .default_rays = 9'600,
+          .default_numbers = "float,double,bin113,exact",
           .series = series};
 }
 

@@ -94,7 +94,7 @@ Experiment thin_wall() {
           .labels = {{"epsilon", "epsilon",
                       "Of the method epsilon, and for all methods where the rays go: along the axis "
                       "through a disc of twice the radius of its hole."}},
-          .default_rays = 14'000,
+          .default_rays = 70'000,
           .default_numbers = "double,bin113,exact",
           .series = series,
           .tables = tables};

@@ -30,7 +30,7 @@ std::vector<Series> series(const Settings& settings) {
   for (const std::uint64_t cubes : {2, 5, 10, 30, 100, 300, 1000}) {
     // A ray costs as the number of cubes, so the high stacks get fewer.
     const std::uint64_t share = settings.rays / 4;
-    const std::uint64_t rays = std::max<std::uint64_t>(1, cubes <= 10 ? share : share * 10 / cubes);
+    const std::uint64_t rays = cubes <= 10 ? share : std::max(share * 10 / cubes, share / 12);
     Series one = family_series({cubes}, fmt::format("touching-stack:{}", cubes),
                                {"stack", along_the_stack(static_cast<double>(cubes))}, rays,
                                settings, cubes <= 10 ? 20 : 5);
@@ -52,7 +52,7 @@ Experiment touching_stack() {
           .question = "How do errors grow along a stack of touching cubes?",
           .source = "Wyvill and Trotman 1990, section 1: touching solids",
           .labels = {{"cubes", "cubes", "In the stack; every ray goes through all of them."}},
-          .default_rays = 2'000,
+          .default_rays = 4'000,
           .default_numbers = "float,double,bin113,exact",
           .series = series};
 }

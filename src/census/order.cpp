@@ -63,9 +63,12 @@ void OrderProbe::try_order(method::Tracer& tracer, const std::vector<method::Met
       seen = seen_in(report_, tracer);
     }
     Outcome outcome;
+    // Whichever event changed the medium last owns the interface, so that only its media
+    // count; the first of a group need not own it.
+    const bool any_leaf = methods[m].surface == method::Surface::FirstOfGroup;
     for (const Seen& s : seen) {
       outcome.insert(outcome.end(), {s.run, s.transition.from, s.transition.to,
-                                     scene_.leaves[s.leaf].medium});
+                                     any_leaf ? scene_.leaves[s.leaf].medium : csg::kEmpty});
     }
     auto& known = outcomes_[m];
     if (std::find(known.begin(), known.end(), outcome) == known.end()) {

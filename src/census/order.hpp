@@ -10,8 +10,9 @@ namespace lamina::census {
 
 /// Counts the different answers that methods give to one ray when the leaves of the scene
 /// are put in other orders, which decide ties of t: all orders of the leaves that tie if they
-/// are four or fewer, else some random ones, the same for every run. Answers differ if the
-/// surfaces, by where they are and of what material, or the media on their sides do.
+/// are four or fewer, else some random ones, the same for every run. Answers differ if
+/// surfaces are seen elsewhere or between other media; and, from a method that reports the first
+/// event of a group whatever it does, if they are of another material.
 class OrderProbe {
  public:
   /// `random_orders` are tried where more than four leaves tie.

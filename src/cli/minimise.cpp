@@ -10,7 +10,7 @@
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "report/census_table.hpp"
+#include "geometry/ray_text.hpp"
 #include "report/explain.hpp"
 #include "report/symptom.hpp"
 
@@ -47,7 +47,7 @@ std::string document(const Options& options, const census::Case& small,
                                  small.scene.leaves.size(), leaves_before, options.scene.path);
   text += small.text;
   text += fmt::format("// lamina explain {} --ray \"{}\" --methods {} --numbers {}", file,
-                      report::ray_text(small.ray), methods[0].name, numbers[0].name);
+                      geometry::to_text(small.ray), methods[0].name, numbers[0].name);
   const SolverOptions defaults;
   if (options.solvers.quadratic != defaults.quadratic) {
     text += " --quadratic " + options.solvers.quadratic;

@@ -10,38 +10,47 @@ namespace {
 
 using base::SeededStream;
 
+enum Shape { kBox, kCylinder, kCone, kSphere, kTorus, kShapeCount };
+
 // A solid of the family: standing on z = 0 of its own coordinates, with a flat top.
 struct Solid {
-  std::string text;
-  double half_width = 0;
+  Shape shape = kBox;
+  Length width;
   Length height;
-  bool flat = true;  // has the faces z = 0 and z = height
-};
 
-enum Shape { kBox, kCylinder, kCone, kSphere, kTorus, kShapeCount };
+  // Has it the faces z = 0 and z = height?
+  [[nodiscard]] bool flat() const { return shape != kSphere && shape != kTorus; }
+
+  [[nodiscard]] double half_width() const {
+    return shape == kBox     ? width.value() / 2
+           : shape == kTorus ? width.value() * 4 / 3
+                             : width.value();
+  }
+
+  // Times `factor`.
+  [[nodiscard]] std::string text(std::int64_t factor = 1) const {
+    const Length w = width * factor;
+    const Length h = height * factor;
+    switch (shape) {
+      case kBox:
+        return fmt::format("translate([{0}, {0}, 0]) cube([{1}, {1}, {2}]);", (-w / 2).text(),
+                           w.text(), h.text());
+      case kCylinder:
+        return fmt::format("cylinder(h={}, r={});", h.text(), w.text());
+      case kCone:
+        return fmt::format("cylinder(h={}, r1={}, r2={});", h.text(), w.text(), (w / 2).text());
+      case kSphere:
+        return fmt::format("sphere({});", w.text());
+      case kTorus:
+      default:
+        return fmt::format("torus({}, {});", w.text(), (w / 3).text());
+    }
+  }
+};
 
 Solid make_solid(Shape shape, SeededStream& stream) {
   const Length width = random_length(stream, 1, 4);
-  const Length height = random_length(stream, 1, 4);
-  switch (shape) {
-    case kBox:
-      return {fmt::format("translate([{0}, {0}, 0]) cube([{1}, {1}, {2}]);", (-width / 2).text(),
-                          width.text(), height.text()),
-              width.value() / 2, height};
-    case kCylinder:
-      return {fmt::format("cylinder(h={}, r={});", height.text(), width.text()), width.value(),
-              height};
-    case kCone:
-      return {fmt::format("cylinder(h={}, r1={}, r2={});", height.text(), width.text(),
-                          (width / 2).text()),
-              width.value(), height};
-    case kSphere:
-      return {fmt::format("sphere({});", width.text()), width.value(), height, false};
-    case kTorus:
-    default:
-      return {fmt::format("torus({}, {});", width.text(), (width / 3).text()),
-              width.value() * 4 / 3, height, false};
-  }
+  return {shape, width, random_length(stream, 1, 4)};
 }
 
 std::string placed(const Length& x, const Length& z, const std::string& solid) {
@@ -78,17 +87,15 @@ FamilyMember coincident_faces(std::uint64_t seed, std::uint64_t case_id) {
 
   const Solid first = make_solid(static_cast<Shape>(stream.below(kShapeCount)), stream);
   const Length base = random_length(stream, -2, 2);
-  material(placed({0, 1}, base, first.text));
+  material(placed({0, 1}, base, first.text()));
   for (std::size_t i = 1; i < count; ++i) {
     const double z = base.value();
-    if (!first.flat || stream.chance(0.2)) {
-      // The same surface again, by another route to the same place.
-      const Length part = random_length(stream, -2, 2);
-      material(fmt::format("translate([0, 0, {}]) {}", part.text(),
-                           placed({0, 1}, base + -part, first.text)));
-      const double w = first.half_width;
+    if (!first.flat() || stream.chance(0.2)) {
+      // Exactly the same surface again, from other numbers.
+      material(placed({0, 1}, base, "scale(1/3) " + first.text(3)));
+      const double w = first.half_width();
       member.patches.push_back(rotation.patch(
-          {-w, -w, z + (first.flat ? first.height.value() / 2 : 0)}, {2 * w, 0, 0}, {0, 2 * w, 0}));
+          {-w, -w, z + (first.flat() ? first.height.value() / 2 : 0)}, {2 * w, 0, 0}, {0, 2 * w, 0}));
       continue;
     }
     // A solid with flat faces, one of them in the plane of the first's top or bottom, on either
@@ -98,10 +105,10 @@ FamilyMember coincident_faces(std::uint64_t seed, std::uint64_t case_id) {
     const bool above = stream.chance(0.5);
     const Length z0 = above ? plane : plane + -other.height;
     const Length shift = random_length(stream, -1, 1);
-    material(placed(shift, z0, other.text));
-    const double low = std::max(-first.half_width, shift.value() - other.half_width);
-    const double high = std::min(first.half_width, shift.value() + other.half_width);
-    const double w = std::min(first.half_width, other.half_width);
+    material(placed(shift, z0, other.text()));
+    const double low = std::max(-first.half_width(), shift.value() - other.half_width());
+    const double high = std::min(first.half_width(), shift.value() + other.half_width());
+    const double w = std::min(first.half_width(), other.half_width());
     member.patches.push_back(
         rotation.patch({low, -w, plane.value()}, {high - low, 0, 0}, {0, 2 * w, 0}));
   }

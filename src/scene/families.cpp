@@ -30,7 +30,9 @@ const std::vector<Family>& families() {
        [](const Parameters&, auto seed, auto id) { return coincident_faces(seed, id); }},
       {"ghost-cylinders", "", "two cylinders whose tops lie in one plane (W&T Figure 4)",
        [](const Parameters&, auto seed, auto id) { return ghost_cylinders(seed, id); }},
-      {"self-sum", ":SOLID", "a box, cylinder, cone, sphere or torus added to itself", self_sum},
+      {"self-sum", ":SOLID:same|scaled",
+       "a box, cylinder, cone, sphere or torus added to itself, or to its triple at scale 1/3",
+       self_sum},
       {"self-difference", ":SOLID:same|scaled",
        "a box, cylinder, cone or sphere less itself, its equations times 1 or 3", self_difference},
       {"touching-stack", ":N", "N cubes, one on the other", touching_stack},
@@ -41,7 +43,7 @@ const std::vector<Family>& families() {
       {"far-origin", ":translated|scaled:K", "coincident-faces, moved by or times 10^K",
        far_origin},
       {"unclosed", ":cylinder|cone|slab", "solids of half-spaces that are not closed", unclosed},
-      {"ball", "", "a unit sphere", ball},
+      {"round", ":ball|ring", "a unit sphere, or a torus of radii 1 and 1/4", round_solid},
   };
   return all;
 }

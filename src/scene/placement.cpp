@@ -24,6 +24,8 @@ Length operator+(const Length& a, const Length& b) {
 
 Length operator-(const Length& a) { return {-a.numerator, a.denominator}; }
 
+Length operator*(const Length& a, std::int64_t b) { return {a.numerator * b, a.denominator}; }
+
 Length operator/(const Length& a, std::int64_t b) { return {a.numerator, a.denominator * b}; }
 
 Length random_length(SeededStream& stream, int low, int high) {

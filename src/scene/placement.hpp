@@ -21,6 +21,7 @@ struct Length {
 
 Length operator+(const Length& a, const Length& b);
 Length operator-(const Length& a);
+Length operator*(const Length& a, std::int64_t b);
 Length operator/(const Length& a, std::int64_t b);
 
 /// Between low and high in steps of one over a random denominator: few of them are binary

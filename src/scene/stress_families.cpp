@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "base/contract.hpp"
 #include "scene/placement.hpp"
@@ -78,24 +80,37 @@ std::string from_equations(const std::string& solid, const Length& radius, int f
   return "intersection() { " + side + caps + "}";
 }
 
-std::string solid_text(const std::string& solid, SeededStream& stream) {
-  const std::string a = random_length(stream, 1, 3).text();
-  const std::string b = random_length(stream, 1, 3).text();
-  if (solid == "box") {
-    return fmt::format("cube([{}, {}, {}], center=true);", a, b,
-                       random_length(stream, 1, 3).text());
+// A solid around the origin, with lengths times `factor`.
+class RandomSolid {
+ public:
+  RandomSolid(std::string solid, SeededStream& stream) : solid_(std::move(solid)) {
+    for (Length& length : lengths_) {
+      length = random_length(stream, 1, 3);
+    }
   }
-  if (solid == "cylinder") {
-    return fmt::format("cylinder(h={}, r={}, center=true);", a, b);
+
+  [[nodiscard]] std::string text(std::int64_t factor) const {
+    const auto length = [&](std::size_t i) { return (lengths_[i] * factor).text(); };
+    if (solid_ == "box") {
+      return fmt::format("cube([{}, {}, {}], center=true);", length(0), length(1), length(2));
+    }
+    if (solid_ == "cylinder") {
+      return fmt::format("cylinder(h={}, r={}, center=true);", length(0), length(1));
+    }
+    if (solid_ == "cone") {
+      return fmt::format("cylinder(h={}, r1={}, r2={}, center=true);", length(0), length(1),
+                         (lengths_[1] * factor / 4).text());
+    }
+    if (solid_ == "sphere") {
+      return fmt::format("sphere({});", length(0));
+    }
+    return fmt::format("torus({}, {});", length(0), (lengths_[0] * factor / 4).text());
   }
-  if (solid == "cone") {
-    return fmt::format("cylinder(h={}, r1={}, r2=1/3, center=true);", a, b);
-  }
-  if (solid == "sphere") {
-    return fmt::format("sphere({});", a);
-  }
-  return fmt::format("torus({}, {});", a, (random_length(stream, 1, 2) / 4).text());
-}
+
+ private:
+  std::string solid_;
+  std::array<Length, 3> lengths_;
+};
 
 std::string wide(const Rational& from, const Rational& height) {
   return fmt::format("translate([-{0}, -{0}, {1}]) cube([100, 100, {2}]);", kHalfWidth,
@@ -107,16 +122,14 @@ std::string wide(const Rational& from, const Rational& height) {
 FamilyMember self_sum(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
   const std::string& solid =
       word(parameters[0], {"box", "cylinder", "cone", "sphere", "torus"});
+  const std::string& second = word(parameters[1], {"same", "scaled"});
   SeededStream stream("scene/self-sum/" + solid, seed, case_id);
   const Placement placement(stream);
-  const std::string text = solid_text(solid, stream);
-  const Length whole_way = random_length(stream, -2, 2);
-  const Length part = random_length(stream, -2, 2);
+  const RandomSolid random(solid, stream);
   return placed_member(
       placement,
-      fmt::format("add() {{\n  material(\"first\") translate([{0}, 0, 0]) {3}\n"
-                  "  material(\"second\") translate([{1}, 0, 0]) translate([{2}, 0, 0]) {3}\n}}",
-                  whole_way.text(), part.text(), (whole_way + -part).text(), text));
+      fmt::format("add() {{\n  material(\"first\") {}\n  material(\"second\") {}\n}}",
+                  random.text(1), second == "same" ? random.text(1) : "scale(1/3) " + random.text(3)));
 }
 
 FamilyMember self_difference(const Parameters& parameters, std::uint64_t seed,
@@ -186,12 +199,24 @@ FamilyMember four_cases(const Parameters& parameters, std::uint64_t seed, std::u
 FamilyMember far_origin(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
   const std::string& how = word(parameters[0], {"translated", "scaled"});
   constexpr std::int64_t kMost = 30;
-  const std::string power = fmt::format("1e{}", whole(parameters[1], -kMost, kMost));
-  FamilyMember member = coincident_faces(seed, case_id);
-  member.text = (how == "scaled" ? fmt::format("scale({}) ", power)
-                                 : fmt::format("translate([{0}, {0}, {0}]) ", power)) +
-                member.text;
-  member.patches.clear();
+  const std::int64_t power = whole(parameters[1], -kMost, kMost);
+  const double value = std::pow(10.0, static_cast<double>(power));
+  const bool scaled = how == "scaled";
+  const FamilyMember near = coincident_faces(seed, case_id);
+  FamilyMember member;
+  member.text = fmt::format(fmt::runtime(scaled ? "scale(1e{0}) {1}"
+                                                : "translate([1e{0}, 1e{0}, 1e{0}]) {1}"),
+                            power, near.text);
+  member.place = [scaled, value, place = near.place](const Point& p) {
+    return scaled ? value * place(p) : place(p) + Point{value, value, value};
+  };
+  for (const FamilyMember::Patch& patch : near.patches) {
+    member.patches.push_back(scaled ? FamilyMember::Patch{value * patch.corner,
+                                                          value * patch.side1,
+                                                          value * patch.side2}
+                                    : FamilyMember::Patch{patch.corner + Point{value, value, value},
+                                                          patch.side1, patch.side2});
+  }
   return member;
 }
 
@@ -205,9 +230,10 @@ FamilyMember unclosed(const Parameters& parameters, std::uint64_t seed, std::uin
   return placed_member(Placement::aligned(stream), text);
 }
 
-FamilyMember ball(const Parameters&, std::uint64_t seed, std::uint64_t case_id) {
-  SeededStream stream("scene/ball", seed, case_id);
-  return placed_member(Placement(stream), "sphere(1);");
+FamilyMember round_solid(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  const std::string& solid = word(parameters[0], {"ball", "ring"});
+  SeededStream stream("scene/round", seed, case_id);
+  return placed_member(Placement(stream), solid == "ball" ? "sphere(1);" : "torus(1, 1/4);");
 }
 
 }  // namespace lamina::scene

@@ -11,8 +11,9 @@ namespace lamina::scene {
 
 using Parameters = std::vector<std::string>;
 
-/// SOLID: a box, cylinder, cone, sphere or torus added to itself, the second of another material
-/// and brought to the same place by two translations (W&T Figure 14).
+/// SOLID, same | scaled: a box, cylinder, cone, sphere or torus added to itself, the second of
+/// another material (W&T Figure 14) and, scaled, three times as large at a third of the scale:
+/// exactly the same solid, from other numbers.
 FamilyMember self_sum(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
 /// SOLID, same | scaled: a box, cylinder, cone or sphere less itself; the second has the same
@@ -43,7 +44,7 @@ FamilyMember far_origin(const Parameters&, std::uint64_t seed, std::uint64_t cas
 /// the z axis, between z = -1 and 1; the cone has its apex at (0, 0, 1) and slope 1.
 FamilyMember unclosed(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
-/// A unit sphere around the origin of its own coordinates.
-FamilyMember ball(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
+/// ball | ring: a unit sphere around the origin, or a torus around the z axis, R = 1, r = 1/4.
+FamilyMember round_solid(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
 }  // namespace lamina::scene

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/contract.hpp"
-#include "report/run_folder.hpp"
 
 namespace lamina::report {
 namespace {
@@ -17,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 // Values of every kind; 5 of 10 has the printed limits 18.71 and 81.29 %.
 Table sample() {
-  return {"Some \"title\"",
+  return {"some", "Some \"title\"",
           {{"name", "name", ""},
            {"bits", "bits", "Significand bits."},
            {"length", "wrong length", ""},
@@ -64,7 +63,7 @@ TEST(TableTest, MarkdownOfNothingHasItsColumns) {
 // One rate of a table of one cell, as Markdown has it.
 std::string markdown(const Rate& rate) {
   // The second row keeps the column from being zero throughout.
-  const Table table{"", {{"r", "r", ""}}, {{rate}, {Rate{1, 1}}}, {}};
+  const Table table{"", "", {{"r", "r", ""}}, {{rate}, {Rate{1, 1}}}, {}};
   const std::string text = write(table, Format::Markdown);
   const std::size_t row = text.find("\n", text.find("|--")) + 1;
   std::string cell = text.substr(row + 2, text.find(" |", row) - row - 2);
@@ -116,6 +115,7 @@ TEST(TableTest, CsvHasEveryColumnAndRatesInFull) {
 
 TEST(TableTest, CsvQuotesWhatWouldBreakIt) {
   const Table table{"",
+                    "",
                     {{"a", "", ""}, {"b", "", ""}, {"c", "", ""}, {"d", "", ""}},
                     {{std::string("x, y"), std::string("say \"so\""), std::string("two\nlines"),
                       std::string("plain")}},
@@ -125,7 +125,7 @@ TEST(TableTest, CsvQuotesWhatWouldBreakIt) {
 }
 
 TEST(TableTest, CsvWithoutRowsHasAHeader) {
-  const Table table{"", {{"a", "", ""}, {"b", "", ""}}, {}, {}};
+  const Table table{"", "", {{"a", "", ""}, {"b", "", ""}}, {}, {}};
   EXPECT_EQ(write(table, Format::Csv), "a,b\n");
 }
 
@@ -148,7 +148,8 @@ TEST(TableTest, JsonHasTheSameNamesAsCsv) {
 }
 
 TEST(TableTest, LatexEscapesWhatLatexReads) {
-  const Table table{"100 %",
+  const Table table{"",
+                    "100 %",
                     {{"a", "50 % & more_less", ""}, {"b", "b", ""}},
                     {{std::string("a_b^c~d\\e#f$g{h}"), std::string("1 < 2 > 0")}},
                     {"Below."}};
@@ -173,6 +174,45 @@ TEST(TableTest, LatexLeavesOutWhatMarkdownDoes) {
   EXPECT_EQ(text.find("secret"), std::string::npos);
 }
 
+// What LaTeX would stumble over: braces that do not balance, rows of the wrong length, special
+// characters that are not escaped.
+TEST(TableTest, LatexIsWellFormed) {
+  Table table = sample();
+  table.rows[0][0] = std::string(R"(50% & #1_{a} $x$ \ ~^ <b>)");
+  const std::string text = write(table, Format::Latex);
+  std::size_t rows = 0;
+  int depth = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("%")) {
+      continue;
+    }
+    std::size_t ampersands = 0;
+    bool math = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '\\') {
+        ++i;  // a command, or an escaped character
+        continue;
+      }
+      ampersands += line[i] == '&' ? 1 : 0;
+      depth += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
+      math = line[i] == '$' ? !math : math;
+      EXPECT_GE(depth, 0) << line;
+      EXPECT_EQ(std::string("#_~^%").find(line[i]), std::string::npos) << line;
+      EXPECT_TRUE(math || (line[i] != '<' && line[i] != '>')) << line;
+    }
+    EXPECT_FALSE(math) << line;
+    if (line.ends_with(R"(\\)")) {
+      EXPECT_EQ(ampersands, 3U) << line;
+      ++rows;
+    }
+  }
+  EXPECT_EQ(depth, 0);
+  EXPECT_EQ(rows, 3U);  // heading and two rows
+  EXPECT_NE(text.find("\\begin{tabular}{llll}"), std::string::npos);
+  EXPECT_NE(text.find("\\end{tabular}"), std::string::npos);
+}
+
 TEST(TableTest, FormatsAreSpelledAsOnTheCommandLine) {
   EXPECT_EQ(parse_format("md"), Format::Markdown);
   EXPECT_EQ(parse_format("csv"), Format::Csv);
@@ -182,111 +222,12 @@ TEST(TableTest, FormatsAreSpelledAsOnTheCommandLine) {
   EXPECT_THROW(parse_format(""), base::InputError);
 }
 
-// A folder of this test alone, gone when it ends.
-class RunFolderTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              fmt::format("lamina-run-{}-{}", info->name(), static_cast<const void*>(this));
-    std::filesystem::remove_all(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  // What read_run says of a tables.json with this text.
-  std::string error_of(const std::string& text) {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "tables.json") << text;
-    try {
-      read_run(folder_);
-      return "";
-    } catch (const base::InputError& error) {
-      return error.what();
-    }
-  }
-
-  std::filesystem::path folder_;
-};
-
-TEST_F(RunFolderTest, ReadsBackWhatWasWritten) {
-  Table second = sample();
-  second.title = "second";
-  // The nearest doubles, not their three digits; and an integer that no double holds.
-  second.rows[0][2] = 0.1 + 0.2;
-  second.rows[0][1] = (std::uint64_t{1} << 53U) + 1;
-  write_run(folder_ / "deep", {sample(), second}, {{"version", "1"}}, {{"seed", "7"}});
-  const std::vector<Table> read = read_run(folder_ / "deep");
-  ASSERT_EQ(read.size(), 2U);
-  for (const Format format : {Format::Markdown, Format::Csv, Format::Json, Format::Latex}) {
-    EXPECT_EQ(write(read[0], format), write(sample(), format));
-    EXPECT_EQ(write(read[1], format), write(second, format));
-  }
-  EXPECT_EQ(std::get<double>(read[1].rows[0][2]), 0.1 + 0.2);
-  EXPECT_EQ(std::get<std::uint64_t>(read[1].rows[0][1]), (std::uint64_t{1} << 53U) + 1);
-  const Json environment = Json::parse(std::ifstream(folder_ / "deep" / "environment.json"));
-  EXPECT_EQ(environment, (Json{{"version", "1"}, {"settings", {{"seed", "7"}}}}));
-}
-
-TEST_F(RunFolderTest, ARealThatIsWholeStaysAReal) {
-  write_run(folder_, {{"", {{"a", "a", ""}}, {{2.0}, {std::uint64_t{2}}}, {}}}, {}, {});
-  const std::vector<Table> read = read_run(folder_);
-  EXPECT_TRUE(std::holds_alternative<double>(read[0].rows[0][0]));
-  EXPECT_TRUE(std::holds_alternative<std::uint64_t>(read[0].rows[1][0]));
-}
-
-TEST_F(RunFolderTest, WritingAgainReplacesAndLeavesNoParts) {
-  write_run(folder_, {sample(), sample()}, {}, {});
-  write_run(folder_, {sample()}, {}, {});
-  EXPECT_EQ(read_run(folder_).size(), 1U);
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-    EXPECT_EQ(entry.path().extension(), ".json");
-    ++files;
-  }
-  EXPECT_EQ(files, 2U);
-}
-
-TEST_F(RunFolderTest, IsFoundByItsSettings) {
-  const Record settings{{"rays", "100"}, {"seed", "7"}};
-  EXPECT_EQ(find_run(folder_, settings), Found::Nothing);
-  write_run(folder_, {sample()}, {{"version", "1"}}, settings);
-  EXPECT_EQ(find_run(folder_, settings), Found::ThisRun);
-  EXPECT_EQ(find_run(folder_, {{"rays", "100"}, {"seed", "8"}}), Found::AnotherRun);
-  EXPECT_EQ(find_run(folder_, {}), Found::AnotherRun);
-  // Without a record of its settings it is no run of these.
-  std::ofstream(folder_ / "environment.json") << "{";
-  EXPECT_EQ(find_run(folder_, settings), Found::AnotherRun);
-  std::filesystem::remove(folder_ / "environment.json");
-  EXPECT_EQ(find_run(folder_, settings), Found::AnotherRun);
-}
-
-TEST_F(RunFolderTest, NothingThereIsAnInputError) {
-  EXPECT_THROW(read_run(folder_), base::InputError);
-}
-
-TEST_F(RunFolderTest, BrokenFilesAreInputErrorsThatNameTheFile) {
-  for (const char* text :
-       {"", "{", "[]", "{}", "null", "{\"tables\": 3}", "{\"tables\": [{}]}",
-        R"({"tables": [{"title": 1, "columns": [], "rows": [], "notes": []}]})",
-        R"({"tables": [{"title": "", "columns": [], "rows": [[{}]], "notes": []}]})",
-        R"({"tables": [{"title": "", "columns": [], "rows": [[null]], "notes": []}]})",
-        R"({"tables": [{"title": "", "columns": [], "rows": [[-1]], "notes": []}]})",
-        R"({"tables": [{"title": "", "columns": [{}], "rows": [], "notes": []}]})"}) {
-    const std::string error = error_of(text);
-    EXPECT_NE(error.find("tables.json"), std::string::npos) << text << ": " << error;
-  }
-}
-
-// A row of another length than the columns cannot be written as a table.
-TEST_F(RunFolderTest, ARowThatDoesNotFitItsColumnsIsAnInputError) {
-  EXPECT_NE(error_of(R"({"tables": [{"title": "", "columns": [], "rows": [["x"]], "notes": []}]})"),
-            "");
-}
-
-TEST_F(RunFolderTest, AFolderThatCannotBeMadeIsAnInputError) {
-  std::filesystem::create_directories(folder_);
-  std::ofstream(folder_ / "file") << "x";
-  EXPECT_THROW(write_run(folder_ / "file" / "below", {sample()}, {}, {}), base::InputError);
+TEST(TableTest, WhatIsNoNumberIsNoValue) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Table table{"t", "", {{"a", "a", ""}, {"b", "b", ""}}, {{none, 1.5}, {none, none}}, {}};
+  EXPECT_EQ(write(table, Format::Markdown), "| b   |\n|-----|\n| 1.5 |\n| -   |\n\n");
+  EXPECT_EQ(write(table, Format::Csv), "a,b\n,1.5\n,\n");
+  EXPECT_TRUE(Json::parse(write(table, Format::Json)).at("rows")[1].at("b").is_null());
 }
 
 TEST(RunTest, TablesFollowOneAnother) {
