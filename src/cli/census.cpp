@@ -28,7 +28,7 @@ struct Options {
   std::string rays_file;
   std::uint64_t seed = 1;
   int threads = 0;
-  TableOptions tables;
+  TableOptions tables{.name = "artifacts"};
 };
 
 // Folders stand for the scene files in them.

@@ -35,9 +35,8 @@ void print_tables(const std::vector<report::Table>& tables, const TableOptions& 
   if (format == report::Format::Csv) {
     chosen.resize(1);
   }
-  fmt::print("{}", chosen.size() == 1 && format != report::Format::Json
-                       ? report::write(chosen.front(), format)
-                       : report::write(chosen, format));
+  fmt::print("{}", options.name.empty() ? report::write(chosen, format)
+                                        : report::write(chosen.front(), format));
 }
 
 }  // namespace lamina::cli

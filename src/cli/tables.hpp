@@ -11,15 +11,15 @@ namespace lamina::cli {
 
 struct TableOptions {
   std::string format = "md";
-  std::string name;
+  std::string name;  ///< empty: all that are not on request
 
   void add_to(CLI::App& command);
   /// Throws base::InputError for an unknown format: before the work, not after it.
   void check() const;
 };
 
-/// Prints the table that was asked for; else all but those on request, or in CSV, of which a
-/// file holds one, the first. Throws base::InputError that lists the names.
+/// Prints the table that was asked for alone; else all but those on request, or in CSV, of which
+/// a file holds one, the first. Throws base::InputError that lists the names.
 void print_tables(const std::vector<report::Table>& tables, const TableOptions& options);
 
 }  // namespace lamina::cli

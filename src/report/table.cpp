@@ -175,7 +175,8 @@ std::vector<std::pair<std::string, nlohmann::ordered_json>> flat(const Table& ta
 
 std::string csv_field(const nlohmann::ordered_json& value) {
   if (!value.is_string()) {
-    return value.is_null() ? "" : value.dump();
+    const std::string text = value.dump();  // `null` too for what is no finite number
+    return text == "null" ? "" : text;
   }
   const auto& text = value.get_ref<const std::string&>();
   if (text.find_first_of(",\"\n\r") == std::string::npos) {

@@ -19,7 +19,7 @@
 namespace lamina::test {
 namespace {
 
-const std::vector<std::string> kRun{"run",       "self-sum", "--rays", "6400", "--numbers",
+const std::vector<std::string> kRun{"run",       "self-sum", "--rays", "1000", "--numbers",
                                     "float,exact", "--seed",   "3"};
 
 std::string in_shell(const std::vector<std::string>& arguments) {
@@ -30,7 +30,7 @@ std::string in_shell(const std::vector<std::string>& arguments) {
   return text;
 }
 
-// Starts the run into `folder` in a process of its own.
+// Starts the run into `folder` in a process of its own, which writes to `folder`.out and .error.
 pid_t start(const std::string& folder, rlim_t file_size = RLIM_INFINITY) {
   std::vector<std::string> arguments = kRun;
   arguments.insert(arguments.begin(), LAMINA_PROGRAM);
@@ -48,9 +48,9 @@ pid_t start(const std::string& folder, rlim_t file_size = RLIM_INFINITY) {
     const rlimit limit{file_size, file_size};
     setrlimit(RLIMIT_FSIZE, &limit);
     signal(SIGXFSZ, SIG_IGN);  // a full file is an error of write(), as a full disk is
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
+    for (const auto& [name, stream] : {std::pair{".out", STDOUT_FILENO}, {".error", STDERR_FILENO}}) {
+      dup2(open((folder + name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), stream);
+    }
     execv(argv[0], argv.data());
     _exit(127);
   }
@@ -85,7 +85,7 @@ TEST(RunTest, ResumesToTheSameTableAfterKillsAtRandomMoments) {
     // Until it is whole: killed, gone on with, killed again.
     for (bool done = false; !done;) {
       const pid_t child = start(folder);
-      std::this_thread::sleep_for(std::chrono::microseconds(stream.integer(0, 400'000)));
+      std::this_thread::sleep_for(std::chrono::microseconds(stream.integer(0, 250'000)));
       kill(child, SIGKILL);
       int status = 0;
       waitpid(child, &status, 0);
@@ -102,7 +102,10 @@ TEST(RunTest, ResumesToTheSameTableAfterKillsAtRandomMoments) {
 TEST(RunTest, KeepsWhatIsFinishedWhereThereIsNoRoom) {
   const Scratch scratch;
   const std::string folder = scratch.path("run");
-  EXPECT_EQ(status_of(start(folder, 120'000)), 2);
+  ASSERT_EQ(status_of(start(scratch.path("whole"))), 0);
+  const auto whole = std::filesystem::file_size(scratch.path("whole/run.sqlite"));
+  EXPECT_EQ(status_of(start(folder, whole * 2 / 3)), 2);
+  EXPECT_NE(read(folder + ".error").find("cannot be written"), std::string::npos);
   const Outcome some = lamina("table " + folder);
   ASSERT_EQ(some.status, 0) << some.error;
   EXPECT_NE(some.out.find("Not finished: "), std::string::npos);
@@ -128,23 +131,15 @@ TEST(RunTest, ATruncatedStoreSaysWhatToDo) {
 TEST(RunTest, InterruptKeepsWhatIsFinishedAndSaysHowToGoOn) {
   const Scratch scratch;
   const std::string folder = scratch.path("run");
-  const std::string command = in_shell(kRun) + "--out " + folder;
-  // The store is there before the first block is: then it is stopped.
-  const Outcome outcome =
-      [&] {
-        std::thread stop([&] {
-          while (!std::filesystem::exists(folder + "/run.sqlite")) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          }
-          static_cast<void>(std::system(("pkill -INT -f -- '--out " + folder + "'").c_str()));
-        });
-        Outcome result = lamina(command);
-        stop.join();
-        return result;
-      }();
-  EXPECT_EQ(outcome.status, 0) << outcome.error;
-  EXPECT_NE(outcome.error.find("--resume"), std::string::npos) << outcome.error;
-  EXPECT_NE(outcome.out.find("Not finished: "), std::string::npos);
+  const pid_t child = start(folder);
+  // Once the store is there, the first block is on its way.
+  while (!std::filesystem::exists(folder + "/run.sqlite")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill(child, SIGINT);
+  EXPECT_EQ(status_of(child), 0);
+  EXPECT_NE(read(folder + ".error").find("--resume"), std::string::npos) << read(folder + ".error");
+  EXPECT_NE(read(folder + ".out").find("Not finished: "), std::string::npos);
   EXPECT_EQ(resumed_table(folder), whole_table());
 }
 

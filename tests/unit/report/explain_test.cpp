@@ -208,9 +208,9 @@ TEST(ExplainTest, DifferentTMerged) {
 TEST(ExplainTest, OrderSwappedByRounding) {
   const scene::Scene scene = scene_of(R"(rotate([17, 29, 43]) translate([1/7, 1/3, 1/10]) {
     material("a") cube([1, 2, 2]);
-    material("b") translate([1.0000001, 0, 0]) cube([1, 2, 2]);
+    material("b") scale(1/3) translate([3.0000003, 0, 0]) cube([3, 6, 6]);
   })");
-  const auto ray = find_ray<float>(scene, rays_at(scene, 0, 400), "regularized",
+  const auto ray = find_ray<float>(scene, rays_at(scene, 0, 4000), "regularized",
                                    Divergence::Cause::Swapped, Artifact::MissedLogic);
   ASSERT_TRUE(ray);
   const std::string text = explain_in<float>(scene, *ray, "regularized");
