@@ -48,6 +48,15 @@ Series family_series(std::vector<census::Label> labels, const std::string& famil
           static_cast<std::size_t>((rays + rays_per_scene - 1) / rays_per_scene), task};
 }
 
+std::vector<Series> series_of(const std::vector<Subject>& subjects, const Settings& settings) {
+  std::vector<Series> all;
+  for (const Subject& subject : subjects) {
+    all.push_back(family_series({subject.label}, subject.family, subject.aim,
+                                settings.rays / subjects.size(), settings));
+  }
+  return all;
+}
+
 std::vector<method::Method> with_epsilon(const std::vector<method::Method>& methods,
                                          const std::string& tolerance) {
   std::vector<method::Method> result = methods;

@@ -35,6 +35,16 @@ Series family_series(std::vector<census::Label> labels, const std::string& famil
                      std::uint64_t rays, const Settings& settings,
                      std::uint64_t rays_per_scene = 20);
 
+/// A family as it is called in tables, and where its rays go.
+struct Subject {
+  std::string label;
+  std::string family;
+  Aim aim;
+};
+
+/// A series for each subject, with equal parts of the rays.
+std::vector<Series> series_of(const std::vector<Subject>& subjects, const Settings& settings);
+
 /// The methods, every epsilon with this tolerance instead.
 std::vector<method::Method> with_epsilon(const std::vector<method::Method>& methods,
                                          const std::string& tolerance);

@@ -35,29 +35,17 @@ geometry::ExactRay at_the_thin_wall(const scene::FamilyMember& member, const sce
 }
 
 std::vector<Series> series(const Settings& settings) {
-  struct Kind {
-    std::string name;
-    std::string family;
-    Aim aim;
-  };
-  const std::vector<Kind> kinds{
-      {"shared faces", "coincident-faces", coincident_aim()},
-      {"gap of 1e-5", "gap:1e-5", {"gap", at_the_gap}},
-      {"thin wall", "thin-wall", {"thin-wall", at_the_thin_wall}},
-      {"small", "far-origin:scaled:-4", coincident_aim()},
-      {"large", "far-origin:scaled:4", coincident_aim()},
-  };
-  std::vector<Series> all;
-  for (const Kind& kind : kinds) {
-    Series one = family_series({kind.name}, kind.family, kind.aim, settings.rays / kinds.size(),
-                               settings);
-    one.plan.methods.clear();
-    for (int exponent = 16; exponent >= 2; --exponent) {
-      one.plan.methods.push_back(method::parse_method(fmt::format("epsilon:1e-{}", exponent)));
-    }
-    all.push_back(std::move(one));
+  Settings sweep = settings;
+  sweep.plan.methods.clear();
+  for (int exponent = 16; exponent >= 2; --exponent) {
+    sweep.plan.methods.push_back(method::parse_method(fmt::format("epsilon:1e-{}", exponent)));
   }
-  return all;
+  return series_of({{"shared faces", "coincident-faces", coincident_aim()},
+                    {"gap of 1e-5", "gap:1e-5", {"gap", at_the_gap}},
+                    {"thin wall", "thin-wall", {"thin-wall", at_the_thin_wall}},
+                    {"small", "far-origin:scaled:-4", coincident_aim()},
+                    {"large", "far-origin:scaled:4", coincident_aim()}},
+                   sweep);
 }
 
 report::Table sweep_table(const std::vector<report::LabelledCensus>& counted) {

@@ -5,21 +5,14 @@ namespace lamina::experiments {
 namespace {
 
 std::vector<Series> series(const Settings& settings) {
-  struct Kind {
-    std::string family;
-    Aim aim;
-  };
-  const std::vector<Kind> kinds{{"coincident-faces", coincident_aim()},
-                                {"ghost-cylinders", coincident_aim()},
-                                {"self-sum:sphere:same", uniform_aim()},
-                                {"self-sum:box:same", uniform_aim()},
-                                {"touching-stack:10", uniform_aim()}};
-  std::vector<Series> all;
-  for (const Kind& kind : kinds) {
-    all.push_back(family_series({kind.family}, kind.family, kind.aim, settings.rays / kinds.size(),
-                                settings));
+  std::vector<Subject> subjects;
+  for (const char* family : {"coincident-faces", "ghost-cylinders"}) {
+    subjects.push_back({family, family, coincident_aim()});
   }
-  return all;
+  for (const char* family : {"self-sum:sphere:same", "self-sum:box:same", "touching-stack:10"}) {
+    subjects.push_back({family, family, uniform_aim()});
+  }
+  return series_of(subjects, settings);
 }
 
 report::Table outcome_table(const std::vector<report::LabelledCensus>& counted) {

@@ -17,25 +17,13 @@ geometry::ExactRay head_on(const scene::FamilyMember& member, const scene::Scene
 }
 
 std::vector<Series> series(const Settings& settings) {
-  struct Kind {
-    std::string name;
-    std::string family;
-    Aim aim;
-  };
-  const std::vector<Kind> kinds{
-      {"gap of 2e-6", "gap:2e-6", {"gap", head_on}},
-      {"grazing 1e-9", "round:ball", grazing_aim("ball", 9, 10)},
-      {"uniform", "coincident-faces", uniform_aim()},
-      {"shared faces", "coincident-faces", coincident_aim()},
-      {"caps in one plane", "ghost-cylinders", coincident_aim()},
-      {"scaled lamina", "self-difference:sphere:scaled", {"lamina", head_on}},
-  };
-  std::vector<Series> all;
-  for (const Kind& kind : kinds) {
-    all.push_back(
-        family_series({kind.name}, kind.family, kind.aim, settings.rays / kinds.size(), settings));
-  }
-  return all;
+  return series_of({{"gap of 2e-6", "gap:2e-6", {"gap", head_on}},
+                    {"grazing 1e-9", "round:ball", grazing_aim("ball", 9, 10)},
+                    {"uniform", "coincident-faces", uniform_aim()},
+                    {"shared faces", "coincident-faces", coincident_aim()},
+                    {"caps in one plane", "ghost-cylinders", coincident_aim()},
+                    {"scaled lamina", "self-difference:sphere:scaled", {"lamina", head_on}}},
+                   settings);
 }
 
 // First visible interface wrong: a row for each scene and method, a column for each precision.

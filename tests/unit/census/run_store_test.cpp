@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "base/contract.hpp"
+#include "support/equal_census.hpp"
 #include "support/scratch.hpp"
 
 namespace lamina::census {
@@ -56,50 +57,6 @@ Census sample(std::uint64_t salt) {
   }
   census.pairs = {{"float", "roth", "regularized", 3 + salt, 4}, {"exact", "roth", "regularized", 1, 0}};
   return census;
-}
-
-void expect_equal(const Census& a, const Census& b) {
-  EXPECT_EQ(a.rays, b.rays);
-  EXPECT_EQ(a.in_carrier, b.in_carrier);
-  EXPECT_EQ(a.with_coincidence, b.with_coincidence);
-  ASSERT_EQ(a.cells.size(), b.cells.size());
-  for (std::size_t i = 0; i < a.cells.size(); ++i) {
-    const Cell& x = a.cells[i];
-    const Cell& y = b.cells[i];
-    EXPECT_EQ(x.method, y.method);
-    EXPECT_EQ(x.number, y.number);
-    EXPECT_EQ(x.significand_bits, y.significand_bits);
-    EXPECT_EQ(x.rays, y.rays);
-    EXPECT_EQ(x.with, y.with);
-    EXPECT_EQ(x.caused, y.caused);
-    EXPECT_EQ(x.order_sensitive, y.order_sensitive);
-    EXPECT_EQ(x.most_outcomes, y.most_outcomes);
-    EXPECT_EQ(x.wrong_length, y.wrong_length);
-    EXPECT_EQ(x.persistence, y.persistence);
-    EXPECT_EQ(x.lamina_fronts, y.lamina_fronts);
-    EXPECT_EQ(x.lamina_fronts_seen, y.lamina_fronts_seen);
-    EXPECT_EQ(x.lamina_backs, y.lamina_backs);
-    EXPECT_EQ(x.lamina_backs_seen, y.lamina_backs_seen);
-    EXPECT_EQ(x.largest.t_ulps, y.largest.t_ulps);
-    EXPECT_EQ(x.largest.point_rel, y.largest.point_rel);
-    EXPECT_EQ(x.largest.normal_rad, y.largest.normal_rad);
-    ASSERT_EQ(x.worst.has_value(), y.worst.has_value());
-    if (x.worst) {
-      EXPECT_EQ(x.worst->scene, y.worst->scene);
-      EXPECT_EQ(x.worst->ray.origin, y.worst->ray.origin);
-      EXPECT_EQ(x.worst->ray.direction, y.worst->ray.direction);
-      EXPECT_EQ(x.worst->artifacts, y.worst->artifacts);
-      EXPECT_EQ(x.worst->wrong_length, y.worst->wrong_length);
-    }
-  }
-  ASSERT_EQ(a.pairs.size(), b.pairs.size());
-  for (std::size_t i = 0; i < a.pairs.size(); ++i) {
-    EXPECT_EQ(a.pairs[i].number, b.pairs[i].number);
-    EXPECT_EQ(a.pairs[i].first, b.pairs[i].first);
-    EXPECT_EQ(a.pairs[i].second, b.pairs[i].second);
-    EXPECT_EQ(a.pairs[i].only_first_wrong, b.pairs[i].only_first_wrong);
-    EXPECT_EQ(a.pairs[i].only_second_wrong, b.pairs[i].only_second_wrong);
-  }
 }
 
 class RunStoreTest : public ::testing::Test {
@@ -149,7 +106,7 @@ TEST_F(RunStoreTest, ReadsBackWhatWasWritten) {
   Census sum = sample(1);
   sum.merge(sample(2));
   ASSERT_TRUE(store.census(0).has_value());
-  expect_equal(*store.census(0), sum);
+  support::expect_equal(*store.census(0), sum);
 }
 
 TEST_F(RunStoreTest, InMemoryIsTheSame) {
@@ -157,7 +114,7 @@ TEST_F(RunStoreTest, InMemoryIsTheSame) {
   store.set_series({{{std::string("a")}, 1}});
   store.add_block(0, 0, sample(3), 1);
   EXPECT_EQ(store.settings(), kSettings);
-  expect_equal(*store.census(0), sample(3));
+  support::expect_equal(*store.census(0), sample(3));
 }
 
 TEST_F(RunStoreTest, OtherSeriesAreNotGoneOnWith) {
@@ -171,7 +128,7 @@ TEST_F(RunStoreTest, ABlockIsCountedOnce) {
   RunStore store = RunStore::begin(folder(), kSettings);
   store.add_block(0, 0, sample(1), 1);
   EXPECT_THROW(store.add_block(0, 0, sample(1), 1), base::InputError);
-  expect_equal(*store.census(0), sample(1));
+  support::expect_equal(*store.census(0), sample(1));
 }
 
 // A block that fails half-way leaves nothing of itself.
@@ -187,7 +144,7 @@ TEST_F(RunStoreTest, ABlockIsWholeOrNotThere) {
   sqlite3_close(other);
   EXPECT_THROW(store.add_block(0, 1, sample(2), 1), base::InputError);
   EXPECT_FALSE(store.has_block(0, 1));
-  expect_equal(*store.census(0), sample(1));
+  support::expect_equal(*store.census(0), sample(1));
 }
 
 TEST_F(RunStoreTest, AFolderThatCannotBeMadeIsAnInputError) {
