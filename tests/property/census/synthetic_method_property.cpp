@@ -120,7 +120,7 @@ class Injector {
   }
 
   [[nodiscard]] bool is_of(const std::string& material, csg::LeafIndex leaf) const {
-    return scene_->leaves[leaf].medium == medium(material);
+    return scene_->materials[scene_->leaves[leaf].medium].name == material;
   }
 
   // The crossing of a material's leaf at a height.

@@ -153,7 +153,7 @@ TEST_CASE("A reference point in exact numbers has the state of minus infinity", 
     methods.push_back(method::parse_method(std::string("wyvill-trotman:reference:") + distance));
   }
   support::ClassTally tally{"states", "inside", "crossed", "not crossed"};
-  for_each_model(60, 40, [&](const LawModel& model) {
+  for_each_model(40, 30, [&](const LawModel& model) {
     TruthBench bench(model.text);
     for (const auto& ray : model.rays) {
       bench.find(ray);

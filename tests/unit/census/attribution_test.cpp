@@ -221,7 +221,7 @@ TEST(AttributionTest, EveryRayThatIsFirstWrongHasOneCause) {
   }
   plan.numbers = {method::number_choice<number::bin<11>>(), method::number_choice<float>(),
                   method::number_choice<number::exact>()};
-  const Census census = census_of_coincident_faces(plan, 32, 8);
+  const Census census = census_of_coincident_faces(plan, 24, 6);
   std::array<std::uint64_t, kCauseCount> caused{};
   for (std::size_t c = 0; c < census.cells.size(); ++c) {
     const Cell& cell = census.cells[c];

@@ -77,10 +77,11 @@ void expect_equal_counts(const Cell& a, const Cell& b) {
 
 TEST(CensusTest, IsBitIdenticalForAnyNumberOfThreads) {
   constexpr std::size_t kTasks = kTasksPerBlock + 8;
-  const Census one = run(plan(1), kTasks);
+  const auto task = [](std::size_t i) { return task_of(i, 0, 4); };
+  const Census one = run(plan(1), kTasks, task);
   std::uint64_t wrong = 0;
   for (const int threads : {2, 3, 0}) {
-    const Census other = run(plan(threads), kTasks);
+    const Census other = run(plan(threads), kTasks, task);
     EXPECT_EQ(one.rays, other.rays);
     EXPECT_EQ(one.in_carrier, other.in_carrier);
     EXPECT_EQ(one.with_coincidence, other.with_coincidence);

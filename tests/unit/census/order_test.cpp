@@ -61,20 +61,23 @@ std::vector<std::uint32_t> outcomes(const std::string& text, const ExactRay& ray
   return Bench(scene_of(text), number).outcomes(spelled(methods), ray);
 }
 
-// What a method shows: which group of equal t, the media on both sides, and the surface's.
+// What a method shows: which group of equal t, the media on both sides, and of roth, which may
+// report a surface that changes nothing, that surface's material.
 using Shown = std::vector<std::tuple<std::size_t, Medium, Medium, Medium>>;
 
 Shown shown(method::Tracer& tracer, const scene::Scene& scene, const Method& method) {
   method::Report report;
   tracer.run(method, report);
   Shown result;
+  const bool by_surface = method.name == "roth";
   for (const method::Interface& interface : report.interfaces) {
+    const scene::Leaf& leaf = scene.leaves[tracer.crossings()[interface.crossing].leaf];
     std::size_t group = 0;
     for (std::size_t i = 1; i <= interface.crossing; ++i) {
       group += tracer.equal_t(i - 1, i) ? 0 : 1;
     }
     result.emplace_back(group, interface.transition.from, interface.transition.to,
-                        scene.leaves[tracer.crossings()[interface.crossing].leaf].medium);
+                        by_surface ? leaf.medium : csg::kEmpty);
   }
   return result;
 }

@@ -20,11 +20,16 @@ using Point = geometry::Vector3<double>;
 
 const std::vector<std::string> kFamilies{"coincident-faces",
                                          "ghost-cylinders",
-                                         "self-sum:box",
-                                         "self-sum:cylinder",
-                                         "self-sum:cone",
-                                         "self-sum:sphere",
-                                         "self-sum:torus",
+                                         "self-sum:box:same",
+                                         "self-sum:box:scaled",
+                                         "self-sum:cylinder:same",
+                                         "self-sum:cylinder:scaled",
+                                         "self-sum:cone:same",
+                                         "self-sum:cone:scaled",
+                                         "self-sum:sphere:same",
+                                         "self-sum:sphere:scaled",
+                                         "self-sum:torus:same",
+                                         "self-sum:torus:scaled",
                                          "self-difference:box:same",
                                          "self-difference:cylinder:same",
                                          "self-difference:cone:same",
@@ -46,7 +51,8 @@ const std::vector<std::string> kFamilies{"coincident-faces",
                                          "unclosed:cylinder",
                                          "unclosed:cone",
                                          "unclosed:slab",
-                                         "ball"};
+                                         "round:ball",
+                                         "round:ring"};
 
 // The material at a point, "" for none, `boundary` on the boundary.
 std::string material_at(const Scene& scene, const Point& p) {
@@ -130,14 +136,18 @@ TEST(FamiliesTest, ErrorsListWhatThereIs) {
   }
   expect_error("family:nothing:1:2", names);
   expect_error("family:slab:1:2", names);
-  expect_error("family:ball:1:1:2", names);
+  expect_error("family:thin-wall:1:1:2", names);
   expect_error("family:self-difference:box:1:2", names);
   for (const char* spelling :
-       {"family:", "family:ball", "family:ball:1", "family:ball:x:1", "family:ball:1:-1",
-        "family:ball:1:1.5", "family:ball:1:", "family:ball:1:99999999999999999999"}) {
+       {"family:", "family:thin-wall", "family:thin-wall:1", "family:thin-wall:x:1",
+        "family:thin-wall:1:-1", "family:thin-wall:1:1.5",
+        "family:thin-wall:1:", "family:thin-wall:1:99999999999999999999"}) {
     expect_error(spelling, {"family:FAMILY:SEED:CASE"});
   }
-  expect_error("family:self-sum:pyramid:1:0", {"'pyramid'", "box, cylinder, cone, sphere, torus"});
+  expect_error("family:self-sum:pyramid:same:1:0",
+               {"'pyramid'", "box, cylinder, cone, sphere, torus"});
+  expect_error("family:self-sum:box:other:1:0", {"'other'", "same, scaled"});
+  expect_error("family:round:cube:1:0", {"'cube'", "ball, ring"});
   expect_error("family:self-difference:torus:same:1:0", {"box, cylinder, cone, sphere"});
   expect_error("family:self-difference:box:other:1:0", {"'other'", "same, scaled"});
   expect_error("family:four-cases:v:1/9:1:0", {"'v'", "i, ii, iii, iv"});
@@ -172,7 +182,11 @@ std::vector<Known> known_families() {
     return [inside](const Point& p) -> std::string { return inside(p) ? "default" : ""; };
   };
   std::vector<Known> all{
-      {"ball", {-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}, plain([](const Point& p) {
+      {"round:ring", {-1.4, -1.4, -0.4}, {1.4, 1.4, 0.4}, plain([](const Point& p) {
+         const double off = std::hypot(p.x, p.y) - 1;
+         return off * off + p.z * p.z < 0.0625;
+       })},
+      {"round:ball", {-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}, plain([](const Point& p) {
          return squared(p) < 1;
        })},
       {"thin-wall", {-2.2, -2.2, -2.2}, {2.2, 2.2, 2.2}, plain([](const Point& p) {
@@ -248,7 +262,7 @@ TEST(FamiliesTest, PlaceTakesTheSolidWhereTheTextPutsIt) {
 
 TEST(FamiliesTest, TheSurfaceOfTheBallIsWherePlaceSays) {
   for (std::uint64_t case_id = 0; case_id < 10; ++case_id) {
-    const FamilyMember member = family_member("ball", 2, case_id);
+    const FamilyMember member = family_member("round:ball", 2, case_id);
     const Scene scene = support::scene_of(member.text);
     base::SeededStream stream("families_test/ball", 2, case_id);
     for (int i = 0; i < 10; ++i) {
@@ -274,6 +288,20 @@ TEST(FamiliesTest, PlaceGoesWithWhatIsFarFromTheOrigin) {
         const std::string material = material_at(near_scene, near.place(p));
         EXPECT_EQ(material_at(far_scene, far.place(p)), material) << how << " " << case_id;
         ++met[material];
+      }
+      // What is in the middle of a patch near the origin is there far from it, too.
+      ASSERT_EQ(far.patches.size(), near.patches.size());
+      for (std::size_t i = 0; i < near.patches.size(); ++i) {
+        const auto beside = [](const FamilyMember& member, const FamilyMember::Patch& patch,
+                               double z) {
+          return patch.corner + 0.5 * patch.side1 + 0.5 * patch.side2 +
+                 z * (member.place({0, 0, 1}) - member.place({0, 0, 0}));
+        };
+        for (const double z : {-0.01, 0.01}) {
+          EXPECT_EQ(material_at(far_scene, beside(far, far.patches[i], z)),
+                    material_at(near_scene, beside(near, near.patches[i], z)))
+              << how << " " << case_id;
+        }
       }
     }
     EXPECT_GE(met.size(), 3U) << how;
@@ -322,21 +350,24 @@ TEST(FamiliesTest, ThePatchOfTheFourCasesIsTheTopOfAOverB) {
   }
 }
 
-// The second solid is where the first is, by another way, and covers it.
+// The second solid is where the first is, from other numbers, and covers it.
 TEST(FamiliesTest, OfASelfSumTheFirstIsNeverSeen) {
   for (const char* solid : {"box", "cylinder", "cone", "sphere", "torus"}) {
-    std::map<std::string, int> met;
-    for (std::uint64_t case_id = 0; case_id < 8; ++case_id) {
-      const Scene scene = open_scene(family_spelling(std::string("self-sum:") + solid, 6, case_id));
-      EXPECT_EQ(scene.carriers.size() * 2, scene.leaves.size()) << solid;
-      base::SeededStream stream("families_test/self-sum", 1, case_id);
-      for (int i = 0; i < 20; ++i) {
-        ++met[material_at(scene, point_in(*scene.bounds, stream))];
+    for (const char* second : {":same", ":scaled"}) {
+      const std::string family = std::string("self-sum:") + solid + second;
+      std::map<std::string, int> met;
+      for (std::uint64_t case_id = 0; case_id < 8; ++case_id) {
+        const Scene scene = open_scene(family_spelling(family, 6, case_id));
+        EXPECT_EQ(scene.carriers.size() * 2, scene.leaves.size()) << family;
+        base::SeededStream stream("families_test/self-sum", 1, case_id);
+        for (int i = 0; i < 20; ++i) {
+          ++met[material_at(scene, point_in(*scene.bounds, stream))];
+        }
       }
+      EXPECT_EQ(met.count("first"), 0U) << family;
+      EXPECT_GE(met["second"], 5) << family;
+      EXPECT_GE(met[""], 5) << family;
     }
-    EXPECT_EQ(met.count("first"), 0U) << solid;
-    EXPECT_GE(met["second"], 5) << solid;
-    EXPECT_GE(met[""], 5) << solid;
   }
 }
 

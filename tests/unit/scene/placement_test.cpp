@@ -74,6 +74,7 @@ TEST(LengthTest, IsTheRationalThatItSpells) {
     EXPECT_EQ(spelled(a + b), Rational(spelled(a) + spelled(b)));
     EXPECT_EQ(spelled(-a), Rational(-spelled(a)));
     EXPECT_EQ(spelled(b / 3), Rational(spelled(b) / 3));
+    EXPECT_EQ(spelled(a * 3), Rational(spelled(a) * 3));
     EXPECT_EQ(Rational((b / 3).value()), Rational(number::nearest_double(spelled(b / 3))));
   }
   EXPECT_EQ(Length({-7, 1}).text(), "-7");

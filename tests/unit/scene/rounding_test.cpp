@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/seeded_stream.hpp"
 #include "method/tracer.hpp"
 #include "scene/families.hpp"
 #include "support/print.hpp"
