@@ -3,6 +3,7 @@
 // Boost's functions of these names, the ones here are what the operators call.
 #pragma once
 
+#include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace boost::multiprecision::backends {
@@ -38,7 +39,8 @@ void do_eval_subtract(cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& resu
 
 /// Boost divides by an integer in a buffer of twice the significand's bits, which a divisor of
 /// as many bits overflows: 1 / 3628800 is wrong for 11 bits, and so are the functions that
-/// divide by factorials. Such divisors are rounded to the type, and it divides by that.
+/// divide by factorials. Such divisors are rounded to the type, and it divides by that; rounded
+/// here, since Boost's own conversion truncates.
 template <unsigned Digits, class Unsigned>
 typename enable_if_c<is_unsigned<Unsigned>::value>::type eval_divide(
     cpp_bin_float<Digits, digit_base_2, void, int, 0, 0>& result,
@@ -47,8 +49,16 @@ typename enable_if_c<is_unsigned<Unsigned>::value>::type eval_divide(
   constexpr int kBits = static_cast<int>(Float::bit_count) - 1;
   if constexpr (kBits < std::numeric_limits<Unsigned>::digits) {
     if ((b >> kBits) != 0) {
+      const int extra = static_cast<int>(std::bit_width(b)) - static_cast<int>(Float::bit_count);
+      Unsigned nearest = b >> extra;
+      if (extra > 0) {
+        const Unsigned rest = b - (nearest << extra);
+        const Unsigned half = Unsigned(1) << (extra - 1);
+        nearest += rest > half || (rest == half && nearest % 2 != 0) ? 1 : 0;
+      }
       Float divisor;
-      divisor = b;
+      divisor = nearest;
+      eval_ldexp(divisor, divisor, extra);
       eval_divide(result, a, divisor);
       return;
     }

@@ -1,8 +1,8 @@
 // Laws of the methods: what must be equal, in exact numbers or in all.
 #include <catch2/catch.hpp>
 
-#include "number/all_numbers.hpp"
 #include "geometry/ray_text.hpp"
+#include "number/all_numbers.hpp"
 #include "support/class_tally.hpp"
 #include "support/law_models.hpp"
 
@@ -141,6 +141,42 @@ TEST_CASE("wyvill-trotman by parity has the true medium behind every class", "[l
   INFO(tally);
   CHECK(tally.count("several leaves") >= tally.count("rays") / 5);
   CHECK(tally.count("several media in one class") >= tally.count("rays") / 100);
+}
+
+// Before its first crossing a leaf's state does not change: in exact numbers any reference point
+// there is as good as minus infinity. The one evaluates f, the other asks for the sign of its
+// leading coefficient.
+TEST_CASE("A reference point in exact numbers has the state of minus infinity", "[laws]") {
+  std::vector<method::Method> methods;
+  // No round numbers, so that the point is on no surface that the ray only touches.
+  for (const char* distance : {"1.0000001e-9", "0.7853981", "1234567.89"}) {
+    methods.push_back(method::parse_method(std::string("wyvill-trotman:reference:") + distance));
+  }
+  support::ClassTally tally{"states", "inside", "crossed", "not crossed"};
+  for_each_model(40, 30, [&](const LawModel& model) {
+    TruthBench bench(model.text);
+    for (const auto& ray : model.rays) {
+      bench.find(ray);
+      if (bench.truth().in_some_carrier()) {
+        continue;
+      }
+      for (csg::LeafIndex leaf = 0; leaf < bench.scene().leaves.size(); ++leaf) {
+        const bool expected = bench.truth().starts_inside(leaf);
+        for (const method::Method& method : methods) {
+          if (bench.tracer().starts_inside(method, leaf) != expected) {
+            FAIL(method.name << ", leaf " << leaf << ": " << place(model, ray));
+          }
+        }
+        tally.add("states");
+        tally.add("inside", expected);
+        tally.add(bench.truth().crossings_of(leaf).empty() ? "not crossed" : "crossed");
+      }
+    }
+  });
+  INFO(tally);
+  CHECK(tally.count("inside") >= tally.count("states") / 10);
+  CHECK(tally.count("crossed") >= tally.count("states") / 10);
+  CHECK(tally.count("not crossed") >= tally.count("states") / 50);
 }
 
 }  // namespace

@@ -54,6 +54,9 @@ void expect_equal_counts(const Cell& a, const Cell& b) {
   EXPECT_EQ(a.number, b.number);
   EXPECT_EQ(a.rays, b.rays);
   EXPECT_EQ(a.with, b.with);
+  EXPECT_EQ(a.caused, b.caused);
+  EXPECT_EQ(a.order_sensitive, b.order_sensitive);
+  EXPECT_EQ(a.most_outcomes, b.most_outcomes);
   EXPECT_EQ(a.persistence, b.persistence);
   EXPECT_EQ(a.lamina_fronts, b.lamina_fronts);
   EXPECT_EQ(a.lamina_fronts_seen, b.lamina_fronts_seen);
@@ -73,11 +76,12 @@ void expect_equal_counts(const Cell& a, const Cell& b) {
 }
 
 TEST(CensusTest, IsBitIdenticalForAnyNumberOfThreads) {
-  constexpr std::size_t kTasks = 40;  // more than a batch
-  const Census one = run(plan(1), kTasks);
+  constexpr std::size_t kTasks = kTasksPerBlock + 8;
+  const auto task = [](std::size_t i) { return task_of(i, 0, 4); };
+  const Census one = run(plan(1), kTasks, task);
   std::uint64_t wrong = 0;
   for (const int threads : {2, 3, 0}) {
-    const Census other = run(plan(threads), kTasks);
+    const Census other = run(plan(threads), kTasks, task);
     EXPECT_EQ(one.rays, other.rays);
     EXPECT_EQ(one.in_carrier, other.in_carrier);
     EXPECT_EQ(one.with_coincidence, other.with_coincidence);
@@ -117,6 +121,54 @@ TEST(CensusTest, CountsEveryRayInEveryCell) {
     EXPECT_EQ(census.cells[c].significand_bits,
               all.numbers[c % all.numbers.size()].significand_bits);
     EXPECT_EQ(census.cells[c].rays + census.in_carrier, census.rays);
+  }
+}
+
+// What is wrong with one method only accounts for the difference of what is wrong with each.
+TEST(CensusTest, PairsAddUpToTheDifferenceOfTheirCells) {
+  const Plan all = plan(1);
+  const Census census = run(all, 8);
+  const std::size_t methods = all.methods.size();
+  ASSERT_EQ(census.pairs.size(), all.numbers.size() * methods * (methods - 1) / 2);
+  const auto wrong = [&census](const std::string& method, const std::string& number) {
+    for (const Cell& cell : census.cells) {
+      if (cell.method == method && cell.number == number) {
+        return static_cast<std::int64_t>(cell[Artifact::FirstWrong]);
+      }
+    }
+    return std::int64_t{-1};
+  };
+  std::uint64_t differing = 0;
+  for (const Pair& pair : census.pairs) {
+    SCOPED_TRACE(pair.number + " " + pair.first + " " + pair.second);
+    EXPECT_NE(pair.first, pair.second);
+    EXPECT_EQ(static_cast<std::int64_t>(pair.only_first_wrong) -
+                  static_cast<std::int64_t>(pair.only_second_wrong),
+              wrong(pair.first, pair.number) - wrong(pair.second, pair.number));
+    EXPECT_LE(pair.only_first_wrong + pair.only_second_wrong, census.rays - census.in_carrier);
+    differing += pair.only_first_wrong + pair.only_second_wrong;
+  }
+  EXPECT_GE(differing, 20U);
+}
+
+TEST(CensusTest, BlocksOfTasksAddUpToTheWhole) {
+  const Plan all = plan(1);
+  const auto task = [](std::size_t i) { return task_of(i, 0, 6); };
+  const Census whole = run(all, 6, task);
+  Census sum = empty_census(all);
+  sum.merge(run_tasks(all, 0, 2, task));
+  sum.merge(run_tasks(all, 2, 5, task));
+  sum.merge(run_tasks(all, 5, 6, task));
+  EXPECT_EQ(sum.rays, 36U);
+  EXPECT_EQ(sum.in_carrier, whole.in_carrier);
+  EXPECT_EQ(sum.with_coincidence, whole.with_coincidence);
+  for (std::size_t c = 0; c < whole.cells.size(); ++c) {
+    expect_equal_counts(sum.cells[c], whole.cells[c]);
+  }
+  ASSERT_EQ(sum.pairs.size(), whole.pairs.size());
+  for (std::size_t p = 0; p < whole.pairs.size(); ++p) {
+    EXPECT_EQ(sum.pairs[p].only_first_wrong, whole.pairs[p].only_first_wrong);
+    EXPECT_EQ(sum.pairs[p].only_second_wrong, whole.pairs[p].only_second_wrong);
   }
 }
 
@@ -192,7 +244,7 @@ TEST(CensusTest, EpsilonHolesAreMissesOfExactArithmetic) {
   }
 }
 
-TEST(CensusTest, StopsBetweenBatchesAndKeepsWhatIsDone) {
+TEST(CensusTest, StopsBetweenBlocksAndKeepsWhatIsDone) {
   Plan only;
   only.methods = {method::regularized()};
   only.numbers = {method::number_choice<float>()};
@@ -204,7 +256,7 @@ TEST(CensusTest, StopsBetweenBatchesAndKeepsWhatIsDone) {
     return false;
   });
   EXPECT_TRUE(stopped.interrupted);
-  EXPECT_LT(done, 200U);
+  EXPECT_EQ(done, kTasksPerBlock);
   EXPECT_EQ(stopped.rays, done);
   // Refusing to go on after the last task stops nothing.
   EXPECT_FALSE(run_census(only, 2, task, [](auto, auto) { return false; }).interrupted);

@@ -103,5 +103,49 @@ TEST(ClopperPearsonTest, MoreEventsThanTrialsBreakTheContract) {
   EXPECT_THROW(clopper_pearson(2, 1), base::ContractError);
 }
 
+// 2 (C(n, 0) + .. + C(n, fewer)) / 2^n, by hand.
+TEST(McNemarTest, EqualsBinomialTails) {
+  EXPECT_NEAR(mcnemar(0, 5), 0.0625, 1e-15);
+  EXPECT_NEAR(mcnemar(0, 1), 1, 1e-15);
+  EXPECT_NEAR(mcnemar(1, 7), 18.0 / 256, 1e-15);
+  EXPECT_NEAR(mcnemar(2, 8), 112.0 / 1024, 1e-15);
+  EXPECT_NEAR(mcnemar(0, 100), 0x1p-99, 0x1p-140);
+  EXPECT_EQ(mcnemar(4, 4), 1);
+  EXPECT_EQ(mcnemar(3, 4), 1);
+  EXPECT_EQ(mcnemar(0, 0), 1);
+}
+
+TEST(McNemarTest, IsTheProbabilityOfASplitAtLeastAsUneven) {
+  for (std::uint64_t n = 1; n <= 60; ++n) {
+    const auto fair = binomial(n, 0.5L);
+    for (std::uint64_t first = 0; first <= n; ++first) {
+      const auto unevenness = [n](std::uint64_t k) { return k > n - k ? 2 * k - n : n - 2 * k; };
+      long double expected = 0;
+      for (std::uint64_t k = 0; k <= n; ++k) {
+        expected += unevenness(k) >= unevenness(first) ? fair[k] : 0;
+      }
+      EXPECT_NEAR(mcnemar(first, n - first), static_cast<double>(expected), 1e-13);
+      EXPECT_EQ(mcnemar(first, n - first), mcnemar(n - first, first));
+    }
+  }
+}
+
+// Splits of 20 with 5 or fewer on one side: 2 * 21700 of 2^20.
+TEST(McNemarTest, RejectsWhatIsFairInAtMost5Percent) {
+  const auto rejected = [](std::uint64_t n) {
+    const auto fair = binomial(n, 0.5L);
+    long double sum = 0;
+    for (std::uint64_t k = 0; k <= n; ++k) {
+      sum += mcnemar(k, n - k) <= 0.05 ? fair[k] : 0;
+    }
+    return static_cast<double>(sum);
+  };
+  EXPECT_NEAR(rejected(20), 43400.0 / 1048576, 1e-14);
+  for (std::uint64_t n = 0; n <= 100; ++n) {
+    EXPECT_LE(rejected(n), 0.05) << n;
+  }
+  EXPECT_GE(rejected(100), 0.03);
+}
+
 }  // namespace
 }  // namespace lamina::census
