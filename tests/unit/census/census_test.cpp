@@ -77,7 +77,7 @@ void expect_equal_counts(const Cell& a, const Cell& b) {
 
 TEST(CensusTest, IsBitIdenticalForAnyNumberOfThreads) {
   constexpr std::size_t kTasks = kTasksPerBlock + 8;
-  const auto task = [](std::size_t i) { return task_of(i, 0, 4); };
+  const auto task = [](std::size_t i) { return task_of(i, 0, 2); };
   const Census one = run(plan(1), kTasks, task);
   std::uint64_t wrong = 0;
   for (const int threads : {2, 3, 0}) {

@@ -260,16 +260,31 @@ TEST(FamiliesTest, PlaceTakesTheSolidWhereTheTextPutsIt) {
   }
 }
 
-TEST(FamiliesTest, TheSurfaceOfTheBallIsWherePlaceSays) {
-  for (std::uint64_t case_id = 0; case_id < 10; ++case_id) {
-    const FamilyMember member = family_member("round:ball", 2, case_id);
-    const Scene scene = support::scene_of(member.text);
-    base::SeededStream stream("families_test/ball", 2, case_id);
-    for (int i = 0; i < 10; ++i) {
-      const Point direction = random_direction(stream);
-      EXPECT_EQ(material_at(scene, member.place((1 - 1e-6) * direction)), "default");
-      EXPECT_EQ(material_at(scene, member.place((1 + 1e-6) * direction)), "");
+// Between two points of different materials there is a surface: found by halving to a
+// millionth, it is there in the scene, too.
+TEST(FamiliesTest, SurfacesAreWherePlaceSays) {
+  for (const Known& known : known_families()) {
+    int found = 0;
+    for (std::uint64_t case_id = 0; case_id < 6; ++case_id) {
+      const FamilyMember member = family_member(known.family, 3, case_id);
+      const Scene scene = support::scene_of(member.text);
+      base::SeededStream stream("families_test/surface/" + known.family, 1, case_id);
+      for (int i = 0; i < 20; ++i) {
+        Point a = point_between(stream, known.low, known.high);
+        Point b = point_between(stream, known.low, known.high);
+        if (known.material(a) == known.material(b)) {
+          continue;
+        }
+        while (squared(a - b) > 1e-12) {
+          const Point middle = 0.5 * (a + b);
+          (known.material(middle) == known.material(a) ? a : b) = middle;
+        }
+        EXPECT_EQ(material_at(scene, member.place(a)), known.material(a)) << known.family;
+        EXPECT_EQ(material_at(scene, member.place(b)), known.material(b)) << known.family;
+        ++found;
+      }
     }
+    EXPECT_GE(found, 20) << known.family;
   }
 }
 
