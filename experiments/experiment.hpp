@@ -29,9 +29,9 @@ struct Series {
 };
 
 struct Experiment {
-  std::string name;      ///< also its folder
-  std::string question;  ///< one sentence
-  std::string source;    ///< paper and section
+  std::string name;                    ///< also its folder
+  std::string question;                ///< one sentence
+  std::string source;                  ///< paper and section
   std::vector<report::Column> labels;  ///< what sets series apart
   std::uint64_t default_rays = 0;
   std::string default_methods = "all";

@@ -5,24 +5,24 @@
 namespace lamina::experiments {
 
 Aim uniform_aim() {
-  return {"uniform", [](const scene::FamilyMember&, const scene::Scene& scene,
-                        base::SeededStream& stream) {
+  return {"uniform",
+          [](const scene::FamilyMember&, const scene::Scene& scene, base::SeededStream& stream) {
             return scene::ray_through(scene::point_in(*scene.bounds, stream),
                                       scene::distance_outside(*scene.bounds), stream);
           }};
 }
 
 Aim coincident_aim() {
-  return {"coincident", [](const scene::FamilyMember& member, const scene::Scene& scene,
-                           base::SeededStream& stream) {
-            constexpr double kOutside = 20;  // of the members without bounds
-            const double distance =
-                scene.bounds ? scene::distance_outside(*scene.bounds) : kOutside;
-            const auto& patch = member.patches[stream.below(member.patches.size())];
-            const double u = stream.unit();
-            return scene::ray_through(patch.corner + u * patch.side1 + stream.unit() * patch.side2,
-                                      distance, stream);
-          }};
+  return {
+      "coincident",
+      [](const scene::FamilyMember& member, const scene::Scene& scene, base::SeededStream& stream) {
+        constexpr double kOutside = 20;  // of the members without bounds
+        const double distance = scene.bounds ? scene::distance_outside(*scene.bounds) : kOutside;
+        const auto& patch = member.patches[stream.below(member.patches.size())];
+        const double u = stream.unit();
+        return scene::ray_through(patch.corner + u * patch.side1 + stream.unit() * patch.side2,
+                                  distance, stream);
+      }};
 }
 
 report::Column aim_column() {

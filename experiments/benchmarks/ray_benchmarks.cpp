@@ -78,7 +78,7 @@ void trace(benchmark::State& state, const char* text, const char* method_name) {
   const auto one = [&](std::size_t i) {
     events.find(rays[i % kRays]);
     method::Classifier(setup.scene, events, ray_state, report, method::IgnoreEvents{})
-        .run(method, step);
+        .run(method, step, Number(0));
     benchmark::DoNotOptimize(report.interfaces.data());
   };
   for (std::size_t i = 0; i < kRays; ++i) {

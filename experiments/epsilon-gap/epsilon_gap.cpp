@@ -56,10 +56,9 @@ std::vector<Series> series(const Settings& settings) {
         kind.angle == "any"
             ? std::nullopt
             : std::optional(number::nearest_double(number::parse_rational(kind.angle)));
-    Series one = family_series({kind.solid, kind.ratio, kind.angle},
-                               kind.solid + ":" + gap_text(kind.ratio),
-                               {"angle/" + kind.angle, at_an_angle(degrees)},
-                               settings.rays / kinds.size(), settings);
+    Series one = family_series(
+        {kind.solid, kind.ratio, kind.angle}, kind.solid + ":" + gap_text(kind.ratio),
+        {"angle/" + kind.angle, at_an_angle(degrees)}, settings.rays / kinds.size(), settings);
     one.plan.methods = with_epsilon(settings.plan.methods, kTolerance);
     all.push_back(std::move(one));
   }
@@ -98,8 +97,7 @@ report::Table visible_table(const std::vector<report::LabelledCensus>& counted) 
       }
       using census::Artifact;
       // The media are wrong exactly where the gap is lost: as material, or the slab as void.
-      const std::uint64_t lost =
-          cell[text(0) == "gap" ? Artifact::GhostMaterial : Artifact::Void];
+      const std::uint64_t lost = cell[text(0) == "gap" ? Artifact::GhostMaterial : Artifact::Void];
       table.rows.push_back({text(0), text(1), text(2), visible_part(ratio, text(2)), cell.method,
                             cell.number, report::Rate{cell.rays - lost, cell.rays}});
     }
@@ -115,17 +113,17 @@ std::vector<report::Table> tables(const Experiment& experiment,
 }  // namespace
 
 Experiment epsilon_gap() {
-  return {.name = "epsilon-gap",
-          .question = "When does an epsilon lose a gap, or a thin slab?",
-          .source = "Wyvill and Trotman 1990, section 2: the second reason against error limits",
-          .labels = {{"solid", "solid",
-                      "gap: two solids that are g apart; slab: one that is g thick."},
-                     {"ratio", "g / epsilon", "Epsilon is 1e-4."},
-                     {"angle", "angle", "Degrees between the ray and head-on; any: uniform."}},
-          .default_rays = 56'000,
-          .default_numbers = "float,double,exact",
-          .series = series,
-          .tables = tables};
+  return {
+      .name = "epsilon-gap",
+      .question = "When does an epsilon lose a gap, or a thin slab?",
+      .source = "Wyvill and Trotman 1990, section 2: the second reason against error limits",
+      .labels = {{"solid", "solid", "gap: two solids that are g apart; slab: one that is g thick."},
+                 {"ratio", "g / epsilon", "Epsilon is 1e-4."},
+                 {"angle", "angle", "Degrees between the ray and head-on; any: uniform."}},
+      .default_rays = 56'000,
+      .default_numbers = "float,double,exact",
+      .series = series,
+      .tables = tables};
 }
 
 }  // namespace lamina::experiments

@@ -71,9 +71,8 @@ report::Table sweep_table(const std::vector<report::LabelledCensus>& counted) {
                             report::Rate{cell[Artifact::EpsilonHole], cell.rays},
                             report::Rate{cell[Artifact::MissedLogic], cell.rays},
                             report::Rate{cell[Artifact::GhostHit], cell.rays}});
-      const bool all_right = cell[Artifact::FirstWrong] + cell[Artifact::MissedLogic] +
-                                 cell[Artifact::GhostHit] ==
-                             0;
+      const bool all_right =
+          cell[Artifact::FirstWrong] + cell[Artifact::MissedLogic] + cell[Artifact::GhostHit] == 0;
       clean[{cell.number, epsilon}] += all_right ? 1 : 0;
     }
   }

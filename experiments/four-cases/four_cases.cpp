@@ -10,9 +10,8 @@ std::vector<Series> series(const Settings& settings) {
   std::vector<Series> all;
   for (const std::string& gap : gaps) {
     for (const std::string& which : cases) {
-      all.push_back(family_series({gap, which}, "four-cases:" + which + ":" + gap,
-                                  coincident_aim(), settings.rays / (gaps.size() * cases.size()),
-                                  settings));
+      all.push_back(family_series({gap, which}, "four-cases:" + which + ":" + gap, coincident_aim(),
+                                  settings.rays / (gaps.size() * cases.size()), settings));
     }
   }
   return all;
@@ -22,8 +21,9 @@ std::vector<Series> series(const Settings& settings) {
 
 Experiment four_cases() {
   return {.name = "four-cases",
-          .question = "Is each of the four solids that a difference of touching boxes can be "
-                      "seen as itself?",
+          .question =
+              "Is each of the four solids that a difference of touching boxes can be "
+              "seen as itself?",
           .source = "Wyvill and Trotman 1990, section 3.4, Figure 12",
           .labels = {{"gap", "gap", "Between the surfaces of A and B."},
                      {"case", "case",

@@ -16,17 +16,16 @@ std::vector<Series> series(const Settings& settings) {
 }
 
 report::Table outcome_table(const std::vector<report::LabelledCensus>& counted) {
-  report::Table table{
-      "orders",
-      "order: answers that hang on the order of the leaves",
-      {{"scene", "scene", ""},
-       {"method", "method", ""},
-       {"number", "number", ""},
-       {"order_sensitive", "order-sensitive",
-        "Rays that are answered differently if the leaves stand in another order."},
-       {"most_outcomes", "outcomes", "Different answers to one ray, at most."}},
-      {},
-      {}};
+  report::Table table{"orders",
+                      "order: answers that hang on the order of the leaves",
+                      {{"scene", "scene", ""},
+                       {"method", "method", ""},
+                       {"number", "number", ""},
+                       {"order_sensitive", "order-sensitive",
+                        "Rays that are answered differently if the leaves stand in another order."},
+                       {"most_outcomes", "outcomes", "Different answers to one ray, at most."}},
+                      {},
+                      {}};
   for (const auto& [labels, census] : counted) {
     for (const census::Cell& cell : census.cells) {
       table.rows.push_back({report::value_of(labels[0]), cell.method, cell.number,
@@ -52,8 +51,9 @@ Experiment order() {
           .source = "Wyvill and Trotman 1990, section 3.4: events at one point, ties by leaf",
           .labels = {{"scene", "scene", "Family; rays at coincident faces, or at the box."}},
           .default_rays = 20'000,
-          .default_methods = "roth,wyvill-sharp,epsilon,regularized,wyvill-trotman,"
-                             "wyvill-trotman:no-look-ahead",
+          .default_methods =
+              "roth,wyvill-sharp,epsilon,regularized,wyvill-trotman,"
+              "wyvill-trotman:no-look-ahead",
           .default_numbers = "float,double,exact",
           .series = series,
           .tables = tables};

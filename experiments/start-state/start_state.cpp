@@ -54,16 +54,18 @@ std::vector<Series> series(const Settings& settings) {
 
 Experiment start_state() {
   return {.name = "start-state",
-          .question = "Is a leaf's state before its first crossing right for rays nearly along "
-                      "the surface?",
+          .question =
+              "Is a leaf's state before its first crossing right for rays nearly along "
+              "the surface?",
           .source = "Wyvill and Trotman 1990, section 3.7: the reference point",
           .labels = {{"solid", "solid",
                       "Rays nearly along the axis of a cylinder, the planes of a slab, a line in a "
                       "cone."},
                      {"k", "k", "The angle is from 2^-(k+1) to 2^-k."}},
           .default_rays = 39'000,
-          .default_methods = "regularized,wyvill-trotman,wyvill-trotman:reference:1e3,"
-                             "wyvill-trotman:reference:1e9",
+          .default_methods =
+              "regularized,wyvill-trotman,wyvill-trotman:reference:1e3,"
+              "wyvill-trotman:reference:1e9",
           .default_numbers = "float,double,bin113,exact",
           .series = series};
 }

@@ -33,7 +33,7 @@ DrawRay along_the_axis(double radius) {
 }
 
 std::vector<Series> series(const Settings& settings) {
-  const std::vector<std::string> tolerances{"1e-2", "1e-3", "1e-4", "1e-6",
+  const std::vector<std::string> tolerances{"1e-2", "1e-3",  "1e-4", "1e-6",
                                             "1e-8", "1e-10", "1e-12"};
   std::vector<Series> all;
   for (const std::string& tolerance : tolerances) {
@@ -71,8 +71,8 @@ report::Table hole_table(const std::vector<report::LabelledCensus>& counted) {
       const std::uint64_t lost = cell[census::Artifact::FirstWrong];
       const census::Interval part = census::clopper_pearson(lost, cell.rays);
       const double disc = disc_radius(tolerance_of(tolerance));
-      const double measured = disc * std::sqrt(static_cast<double>(lost) /
-                                               static_cast<double>(cell.rays));
+      const double measured =
+          disc * std::sqrt(static_cast<double>(lost) / static_cast<double>(cell.rays));
       table.rows.push_back({tolerance, cell.number, hole_radius(tolerance_of(tolerance)), measured,
                             disc * std::sqrt(part.lower), disc * std::sqrt(part.upper)});
     }
@@ -88,16 +88,17 @@ std::vector<report::Table> tables(const Experiment& experiment,
 }  // namespace
 
 Experiment thin_wall() {
-  return {.name = "thin-wall",
-          .question = "How large a hole does an epsilon make in a wall that thins to a point?",
-          .source = "Wyvill and Trotman 1990, section 2, Figure 9",
-          .labels = {{"epsilon", "epsilon",
-                      "Of the method epsilon, and for all methods where the rays go: along the axis "
-                      "through a disc of twice the radius of its hole."}},
-          .default_rays = 70'000,
-          .default_numbers = "double,bin113,exact",
-          .series = series,
-          .tables = tables};
+  return {
+      .name = "thin-wall",
+      .question = "How large a hole does an epsilon make in a wall that thins to a point?",
+      .source = "Wyvill and Trotman 1990, section 2, Figure 9",
+      .labels = {{"epsilon", "epsilon",
+                  "Of the method epsilon, and for all methods where the rays go: along the axis "
+                  "through a disc of twice the radius of its hole."}},
+      .default_rays = 70'000,
+      .default_numbers = "double,bin113,exact",
+      .series = series,
+      .tables = tables};
 }
 
 }  // namespace lamina::experiments

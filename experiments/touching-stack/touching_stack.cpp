@@ -12,17 +12,17 @@ constexpr std::uint64_t kMostForInsideTests = 100;
 
 // Along the stack, through all cubes.
 DrawRay along_the_stack(double cubes) {
-  return [cubes](const scene::FamilyMember& member, const scene::Scene&,
-                 base::SeededStream& stream) {
-    constexpr double kMargin = 0.2;
-    constexpr double kOutside = 5;
-    const auto inner = [&stream] { return stream.uniform(kMargin, 1 - kMargin); };
-    const double x = inner();
-    const double y = inner();
-    const auto origin = member.place({x, y, -kOutside});
-    const double to_x = inner();
-    return scene::ray_from(origin, member.place({to_x, inner(), cubes}), scene::Held::Float);
-  };
+  return
+      [cubes](const scene::FamilyMember& member, const scene::Scene&, base::SeededStream& stream) {
+        constexpr double kMargin = 0.2;
+        constexpr double kOutside = 5;
+        const auto inner = [&stream] { return stream.uniform(kMargin, 1 - kMargin); };
+        const double x = inner();
+        const double y = inner();
+        const auto origin = member.place({x, y, -kOutside});
+        const double to_x = inner();
+        return scene::ray_from(origin, member.place({to_x, inner(), cubes}), scene::Held::Float);
+      };
 }
 
 std::vector<Series> series(const Settings& settings) {

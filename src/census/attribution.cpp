@@ -49,11 +49,7 @@ struct Attribution::Levels {
 Attribution::Attribution(const scene::Scene& scene, const Truth& truth,
                          const std::vector<method::Method>& methods,
                          const std::vector<method::NumberChoice>& numbers)
-    : scene_(scene),
-      truth_(truth),
-      methods_(methods),
-      numbers_(numbers),
-      levels_(numbers.size()) {}
+    : scene_(scene), truth_(truth), methods_(methods), numbers_(numbers), levels_(numbers.size()) {}
 
 Attribution::~Attribution() = default;
 
@@ -132,10 +128,10 @@ std::uint32_t Attribution::missed_in_exact(std::size_t method, const std::vector
   static_cast<void>(wrong(ideal(), method, nullptr));
   std::uint32_t missed = 0;
   for (std::size_t c = 0; c < reported.size(); ++c) {
-    missed += truth_.classes()[c].is_interface() && !reported[c] &&
-                      !ideal_->judge.reported_classes()[c]
-                  ? 1
-                  : 0;
+    missed +=
+        truth_.classes()[c].is_interface() && !reported[c] && !ideal_->judge.reported_classes()[c]
+            ? 1
+            : 0;
   }
   return missed;
 }

@@ -69,7 +69,7 @@ class Attribution {
   std::uint64_t ray_number_ = 0;
   std::unique_ptr<Level> ideal_;
   std::vector<std::optional<bool>> wrong_on_ideal_;  // by method; the same for all number types
-  std::vector<std::unique_ptr<Levels>> levels_;  // by number type
+  std::vector<std::unique_ptr<Levels>> levels_;      // by number type
 };
 
 }  // namespace lamina::census

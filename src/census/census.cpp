@@ -121,7 +121,8 @@ class TaskRun {
 
   void count_pairs(std::size_t n) {
     const std::size_t methods = plan_.methods.size();
-    auto pair = census_.pairs.begin() + static_cast<std::ptrdiff_t>(n * methods * (methods - 1) / 2);
+    auto pair =
+        census_.pairs.begin() + static_cast<std::ptrdiff_t>(n * methods * (methods - 1) / 2);
     for (std::size_t a = 0; a < methods; ++a) {
       for (std::size_t b = a + 1; b < methods; ++b, ++pair) {
         pair->only_first_wrong += wrong_[a] && !wrong_[b] ? 1 : 0;
@@ -148,7 +149,7 @@ class TaskRun {
   Attribution attribution_;
   OrderProbe orders_;
   std::vector<Lane> lanes_;
-  std::vector<bool> wrong_;  // first interface, by method
+  std::vector<bool> wrong_;              // first interface, by method
   std::vector<method::Report> reports_;  // by method
 };
 

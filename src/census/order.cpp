@@ -77,9 +77,9 @@ void OrderProbe::try_order(method::Tracer& tracer, const std::vector<method::Met
   }
 }
 
-const std::vector<std::uint32_t>& OrderProbe::outcomes(
-    method::Tracer& tracer, const std::vector<method::Method>& methods,
-    const std::vector<method::Report>& reports) {
+const std::vector<std::uint32_t>& OrderProbe::outcomes(method::Tracer& tracer,
+                                                       const std::vector<method::Method>& methods,
+                                                       const std::vector<method::Report>& reports) {
   counts_.assign(methods.size(), 1);
   find_ties(tracer);
   if (tied_.empty()) {

@@ -40,9 +40,9 @@ class OrderProbe {
 
   const scene::Scene& scene_;
   std::uint32_t random_orders_;
-  std::vector<csg::LeafIndex> tied_;      // ascending
-  std::vector<std::uint32_t> run_of_;     // by crossing: which of the runs of equal t
-  std::vector<csg::LeafIndex> rank_;      // by leaf
+  std::vector<csg::LeafIndex> tied_;            // ascending
+  std::vector<std::uint32_t> run_of_;           // by crossing: which of the runs of equal t
+  std::vector<csg::LeafIndex> rank_;            // by leaf
   std::vector<std::vector<Seen>> by_index_;     // by method, of geometric ones: ties by leaf index
   std::vector<std::vector<Outcome>> outcomes_;  // by method, distinct
   std::vector<std::uint32_t> counts_;

@@ -154,9 +154,9 @@ RunStore RunStore::begin(const std::filesystem::path& folder, const Record& sett
 RunStore RunStore::open(const std::filesystem::path& folder) {
   const std::string file = file_in(folder).string();
   if (!exists(folder)) {
-    throw base::InputError(
-        fmt::format("no run in '{0}': there is no '{1}'; `lamina run EXPERIMENT --out {0}` makes it",
-                    folder.string(), file));
+    throw base::InputError(fmt::format(
+        "no run in '{0}': there is no '{1}'; `lamina run EXPERIMENT --out {0}` makes it",
+        folder.string(), file));
   }
   auto database = std::make_unique<Database>(file, SQLITE_OPEN_READWRITE);
   check_sound(*database);
@@ -175,8 +175,7 @@ Record RunStore::settings() const {
 
 void RunStore::add_environment(const Record& environment) {
   Transaction transaction(*database_);
-  Statement insert(*database_,
-                   "INSERT INTO environment VALUES (?, ?, ?)");
+  Statement insert(*database_, "INSERT INTO environment VALUES (?, ?, ?)");
   Statement last(*database_, "SELECT coalesce(max(session) + 1, 0) FROM environment");
   last.step();
   const std::uint64_t session = last.integer();
@@ -270,8 +269,8 @@ void RunStore::add_block(std::size_t series, std::size_t block, const Census& ce
       .bind(census.with_coincidence)
       .run();
   Statement insert_cell(
-      *database_, fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?)",
-                              number_columns(", ?")));
+      *database_,
+      fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?)", number_columns(", ?")));
   for (std::size_t i = 0; i < census.cells.size(); ++i) {
     const Cell& cell = census.cells[i];
     insert_cell.bind(series).bind(block).bind(i).bind(cell.method).bind(cell.number);

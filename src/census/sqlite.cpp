@@ -39,9 +39,8 @@ void Database::fail() const {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_CONSTRAINT:
-      throw base::InputError(
-          fmt::format("'{}' is in use by another run ({}): wait for it, or name another folder",
-                      name_, why));
+      throw base::InputError(fmt::format(
+          "'{}' is in use by another run ({}): wait for it, or name another folder", name_, why));
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
     case SQLITE_ERROR:

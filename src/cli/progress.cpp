@@ -28,8 +28,8 @@ std::function<bool(std::uint64_t, std::uint64_t)> progress_bar(const std::string
   using Clock = std::chrono::steady_clock;
   constexpr int kWidth = 40;
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
-  return [on_terminal, label = what.empty() ? "" : what + " ", start = Clock::now(), last = std::make_shared<Clock::time_point>()](
-             std::uint64_t done, std::uint64_t total) {
+  return [on_terminal, label = what.empty() ? "" : what + " ", start = Clock::now(),
+          last = std::make_shared<Clock::time_point>()](std::uint64_t done, std::uint64_t total) {
     const auto now = Clock::now();
     const bool finished = done >= total;
     if (on_terminal && total > 0 && (finished || now - *last > std::chrono::milliseconds(100))) {

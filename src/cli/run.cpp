@@ -130,11 +130,11 @@ void run_one(const Options& options, const experiments::Experiment& experiment,
   experiments::run_into(store, experiment.series(settings), progress_bar(experiment.name));
   print_tables(experiments::tables_of(experiment, store), options.tables);
   if (interrupted()) {
-    fmt::print(stderr, "{}\n",
-               folder.empty()
-                   ? "interrupted; with --out FOLDER what is finished would be kept"
-                   : fmt::format("interrupted; what is finished is in '{}': go on with --resume",
-                                 folder));
+    fmt::print(
+        stderr, "{}\n",
+        folder.empty()
+            ? "interrupted; with --out FOLDER what is finished would be kept"
+            : fmt::format("interrupted; what is finished is in '{}': go on with --resume", folder));
   }
 }
 
@@ -176,7 +176,8 @@ void add_run(CLI::App& app) {
                       "separated by commas, or all; default: the experiment's own");
   command->add_option("--threads", options->threads, "0: all; results do not depend on it")
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder to keep the run in; for all, one below it each");
+  command->add_option("--out", options->out,
+                      "folder to keep the run in; for all, one below it each");
   command->add_flag("--resume", options->resume, "go on with the run that the folder has");
   options->tables.add_to(*command);
   options->read.add_facets_to(*command);

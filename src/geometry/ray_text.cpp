@@ -11,8 +11,7 @@ namespace {
 
 using number::Rational;
 
-std::vector<Rational> parse_numbers(std::string_view text, std::size_t expected,
-                                    const char* what) {
+std::vector<Rational> parse_numbers(std::string_view text, std::size_t expected, const char* what) {
   constexpr std::string_view kBlanks = " \t\r,";
   std::vector<Rational> numbers;
   for (std::size_t begin = text.find_first_not_of(kBlanks); begin != std::string_view::npos;) {

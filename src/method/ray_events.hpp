@@ -1,6 +1,7 @@
 // All crossings of one ray with all leaves of a scene, in order, in one number type.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,7 +52,9 @@ class RayEvents {
   /// first crossing, or before the origin. For 0, that of the sign at -infinity.
   [[nodiscard]] bool starts_inside(csg::LeafIndex leaf, const Number& reference) const;
   /// Does the ray lie in a carrier? By convention it is outside of that leaf all along.
-  [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
+  [[nodiscard]] bool in_some_carrier() const {
+    return std::find(in_carrier_.begin(), in_carrier_.end(), 1) != in_carrier_.end();
+  }
   /// Is f <= 0 for the leaf at the crossing's rounded point?
   [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const {
     return inside(leaf, point(t));
@@ -87,7 +90,7 @@ class RayEvents {
   std::vector<geometry::Ray<Number>> local_rays_;
   std::vector<Crossing<Number>> crossings_;
   std::vector<std::uint8_t> starts_inside_;
-  bool in_some_carrier_ = false;
+  std::vector<std::uint8_t> in_carrier_;
 };
 
 /// The exact crossings: roots of each carrier's polynomial along the ray, found once for all
@@ -104,7 +107,9 @@ class RayEvents<number::exact> {
 
   [[nodiscard]] std::span<const Crossing<number::exact>> crossings() const { return crossings_; }
   [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const { return starts_inside_[leaf] != 0; }
-  [[nodiscard]] bool in_some_carrier() const { return in_some_carrier_; }
+  [[nodiscard]] bool in_some_carrier() const {
+    return std::find(in_carrier_.begin(), in_carrier_.end(), 1) != in_carrier_.end();
+  }
   [[nodiscard]] bool starts_inside(csg::LeafIndex leaf, const number::exact& reference) const;
   [[nodiscard]] bool inside_at(csg::LeafIndex leaf, const Root& t) const;
 
@@ -119,7 +124,7 @@ class RayEvents<number::exact> {
   std::vector<number::IntegerPolynomial> polynomials_;  // by carrier
   std::vector<Crossing<number::exact>> crossings_;
   std::vector<std::uint8_t> starts_inside_;
-  bool in_some_carrier_ = false;
+  std::vector<std::uint8_t> in_carrier_;
 };
 
 }  // namespace lamina::method

@@ -19,6 +19,7 @@ RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& sol
   }
   local_rays_.resize(frames_.size());
   starts_inside_.resize(leaves_.size());
+  in_carrier_.resize(leaves_.size());
   crossings_.reserve(4 * leaves_.size());
 }
 
@@ -34,13 +35,12 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray) {
     local_rays_[i] = {frames_[i].point(ray.origin), frames_[i].direction(ray.direction)};
   }
   crossings_.clear();
-  in_some_carrier_ = false;
   for (csg::LeafIndex leaf = 0; leaf < leaves_.size(); ++leaf) {
     const auto& surface = leaves_[leaf].surface;
     const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
     const auto found = surface.crossings(local, solvers_);
     starts_inside_[leaf] = found.starts_inside ? 1 : 0;
-    in_some_carrier_ = in_some_carrier_ || found.in_carrier;
+    in_carrier_[leaf] = found.in_carrier ? 1 : 0;
     bool inside = found.starts_inside;
     for (int i = 0; i < found.roots.count; ++i) {
       const Number& t = found.roots.t[i];
@@ -66,7 +66,7 @@ void RayEvents<Number>::reorder(std::span<const csg::LeafIndex> rank) {
 
 template <number::RealNumber Number>
 bool RayEvents<Number>::starts_inside(csg::LeafIndex leaf, const Number& reference) const {
-  if (reference == 0) {
+  if (reference == 0 || in_carrier_[leaf] != 0) {
     return starts_inside(leaf);
   }
   const auto first = std::find_if(crossings_.begin(), crossings_.end(),

@@ -13,12 +13,14 @@ void RayEvents<exact>::find(const geometry::ExactRay& ray) {
   crossings_.clear();
   polynomials_.clear();
   starts_inside_.assign(scene_->leaves.size(), 0);
-  in_some_carrier_ = false;
+  in_carrier_.assign(scene_->leaves.size(), 0);
   for (std::size_t c = 0; c < scene_->carriers.size(); ++c) {
     polynomials_.push_back(monomials.restrict(scene_->carriers[c]));
     const number::IntegerPolynomial& polynomial = polynomials_.back();
     if (polynomial.is_zero()) {
-      in_some_carrier_ = true;
+      for (const csg::LeafIndex leaf : scene_->leaves_of_carrier[c]) {
+        in_carrier_[leaf] = 1;
+      }
       continue;
     }
     std::vector<Root> roots = number::real_roots(polynomial);
@@ -44,15 +46,14 @@ void RayEvents<exact>::reorder(std::span<const csg::LeafIndex> rank) {
   for (auto first = crossings_.begin(); first != crossings_.end();) {
     const auto end = std::find_if(first + 1, crossings_.end(),
                                   [first](const auto& later) { return less(first->t, later.t); });
-    std::sort(first, end, [rank](const auto& a, const auto& b) {
-      return rank[a.leaf] < rank[b.leaf];
-    });
+    std::sort(first, end,
+              [rank](const auto& a, const auto& b) { return rank[a.leaf] < rank[b.leaf]; });
     first = end;
   }
 }
 
 bool RayEvents<exact>::starts_inside(csg::LeafIndex leaf, const Rational& reference) const {
-  if (reference.is_zero()) {
+  if (reference.is_zero() || in_carrier_[leaf] != 0) {
     return starts_inside(leaf);
   }
   const auto first = std::find_if(crossings_.begin(), crossings_.end(),

@@ -28,13 +28,15 @@ class TracerOf final : public Tracer {
   }
 
   void run(const Method& method, Report& report) override {
-    Classifier(scene_, events_, state_, report, IgnoreEvents{}).run(method, step(method), along_ray(method.reference));
+    Classifier(scene_, events_, state_, report, IgnoreEvents{})
+        .run(method, step(method), along_ray(method.reference));
   }
 
   std::vector<EventRecord> explain(const Method& method, Report& report) override {
     std::vector<EventRecord> records;
     const auto keep = [&records](const EventRecord& record) { records.push_back(record); };
-    Classifier(scene_, events_, state_, report, keep).run(method, step(method), along_ray(method.reference));
+    Classifier(scene_, events_, state_, report, keep)
+        .run(method, step(method), along_ray(method.reference));
     return records;
   }
 

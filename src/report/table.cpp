@@ -30,23 +30,22 @@ std::string percent(double probability) {
 
 std::string for_people(const Value& value) {
   return std::visit(
-      Overloaded{[](const std::string& text) { return text; },
-                 [](std::uint64_t number) { return fmt::format("{}", number); },
-                 [](double number) {
-                   return std::isnan(number) ? "-" : fmt::format("{:.3g}", number);
-                 },
-                 [](const Rate& rate) -> std::string {
-                   if (rate.n == 0) {
-                     return "-";
-                   }
-                   const auto n = static_cast<double>(rate.n);
-                   if (rate.count == 0) {
-                     return fmt::format("< {}", percent(std::min(1.0, 3 / n)));
-                   }
-                   const census::Interval interval = census::clopper_pearson(rate.count, rate.n);
-                   return fmt::format("{} [{}, {}]", percent(static_cast<double>(rate.count) / n),
-                                      percent(interval.lower), percent(interval.upper));
-                 }},
+      Overloaded{
+          [](const std::string& text) { return text; },
+          [](std::uint64_t number) { return fmt::format("{}", number); },
+          [](double number) { return std::isnan(number) ? "-" : fmt::format("{:.3g}", number); },
+          [](const Rate& rate) -> std::string {
+            if (rate.n == 0) {
+              return "-";
+            }
+            const auto n = static_cast<double>(rate.n);
+            if (rate.count == 0) {
+              return fmt::format("< {}", percent(std::min(1.0, 3 / n)));
+            }
+            const census::Interval interval = census::clopper_pearson(rate.count, rate.n);
+            return fmt::format("{} [{}, {}]", percent(static_cast<double>(rate.count) / n),
+                               percent(interval.lower), percent(interval.upper));
+          }},
       value);
 }
 

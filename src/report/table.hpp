@@ -26,7 +26,7 @@ struct Column {
 };
 
 struct Table {
-  std::string name;   ///< one word, to choose it by
+  std::string name;  ///< one word, to choose it by
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<Value>> rows;
@@ -40,8 +40,9 @@ enum class Format : std::uint8_t { Markdown, Csv, Json, Latex };
 Format parse_format(std::string_view text);
 
 /// Markdown and LaTeX leave out columns of rates that are zero in every row and name them
-/// below, and columns without any value; rates are percentages: `12.3 [11.9, 12.8]`, or `< 0.015` (3/n) where nothing was
-/// counted. CSV and JSON have every column; a rate becomes _count, _n, _rate, _lower, _upper.
+/// below, and columns without any value; rates are percentages: `12.3 [11.9, 12.8]`, or `< 0.015`
+/// (3/n) where nothing was counted. CSV and JSON have every column; a rate becomes _count, _n,
+/// _rate, _lower, _upper.
 std::string write(const Table& table, Format format);
 
 /// All tables one after the other; JSON as `{"tables": [...]}`.

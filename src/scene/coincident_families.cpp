@@ -94,8 +94,9 @@ FamilyMember coincident_faces(std::uint64_t seed, std::uint64_t case_id) {
       // Exactly the same surface again, from other numbers.
       material(placed({0, 1}, base, "scale(1/3) " + first.text(3)));
       const double w = first.half_width();
-      member.patches.push_back(rotation.patch(
-          {-w, -w, z + (first.flat() ? first.height.value() / 2 : 0)}, {2 * w, 0, 0}, {0, 2 * w, 0}));
+      member.patches.push_back(
+          rotation.patch({-w, -w, z + (first.flat() ? first.height.value() / 2 : 0)}, {2 * w, 0, 0},
+                         {0, 2 * w, 0}));
       continue;
     }
     // A solid with flat faces, one of them in the plane of the first's top or bottom, on either

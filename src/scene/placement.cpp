@@ -41,7 +41,8 @@ Rotation::Rotation(SeededStream& stream) : aligned_(stream.chance(0.125)) {
 }
 
 std::string Rotation::text() const {
-  return aligned_ ? "" : fmt::format("rotate([{}, {}, {}]) ", degrees_[0], degrees_[1], degrees_[2]);
+  return aligned_ ? ""
+                  : fmt::format("rotate([{}, {}, {}]) ", degrees_[0], degrees_[1], degrees_[2]);
 }
 
 Point Rotation::apply(Point p) const {
@@ -64,8 +65,7 @@ FamilyMember::Patch Rotation::patch(const Point& corner, const Point& side1,
 
 Placement::Placement(SeededStream& stream) : Placement(Rotation(stream), stream) {}
 
-Placement::Placement(std::optional<Rotation> rotation, SeededStream& stream)
-    : rotation_(rotation) {
+Placement::Placement(std::optional<Rotation> rotation, SeededStream& stream) : rotation_(rotation) {
   for (Length& length : translation_) {
     length = random_length(stream, -1, 1);
   }
@@ -80,8 +80,7 @@ std::string Placement::text() const {
 
 Point Placement::apply(const Point& p) const {
   const Point turned = rotation_ ? rotation_->apply(p) : p;
-  return turned +
-         Point{translation_[0].value(), translation_[1].value(), translation_[2].value()};
+  return turned + Point{translation_[0].value(), translation_[1].value(), translation_[2].value()};
 }
 
 }  // namespace lamina::scene

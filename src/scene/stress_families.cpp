@@ -44,8 +44,9 @@ std::int64_t whole(const std::string& text, std::int64_t low, std::int64_t high)
 }
 
 FamilyMember placed_member(const Placement& placement, const std::string& solid) {
-  return {placement.text() + solid + "\n", {},
-          [placement](const Point& p) { return placement.apply(p); }};
+  return {placement.text() + solid + "\n", {}, [placement](const Point& p) {
+            return placement.apply(p);
+          }};
 }
 
 // The half-spaces of a solid around the origin, each equation times `factor`.
@@ -71,12 +72,12 @@ std::string from_equations(const std::string& solid, const Length& radius, int f
            plane(0, -1, 0) + "}";
   }
   // The cone has its apex in the lower cap plane's middle: x^2 + y^2 <= ((z + r) / 2)^2.
-  const std::string side =
-      solid == "cylinder"
-          ? diagonal(1, 1, 0, -r * r)
-          : fmt::format("quadric([[{0}, 0, 0, 0], [0, {0}, 0, 0], [0, 0, {1}, {2}], "
-                        "[0, 0, {2}, {3}]]); ",
-                        n(4), n(-1), n(-r), n(-r * r));
+  const std::string side = solid == "cylinder"
+                               ? diagonal(1, 1, 0, -r * r)
+                               : fmt::format(
+                                     "quadric([[{0}, 0, 0, 0], [0, {0}, 0, 0], [0, 0, {1}, {2}], "
+                                     "[0, 0, {2}, {3}]]); ",
+                                     n(4), n(-1), n(-r), n(-r * r));
   return "intersection() { " + side + caps + "}";
 }
 
@@ -120,16 +121,15 @@ std::string wide(const Rational& from, const Rational& height) {
 }  // namespace
 
 FamilyMember self_sum(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
-  const std::string& solid =
-      word(parameters[0], {"box", "cylinder", "cone", "sphere", "torus"});
+  const std::string& solid = word(parameters[0], {"box", "cylinder", "cone", "sphere", "torus"});
   const std::string& second = word(parameters[1], {"same", "scaled"});
   SeededStream stream("scene/self-sum/" + solid, seed, case_id);
   const Placement placement(stream);
   const RandomSolid random(solid, stream);
   return placed_member(
-      placement,
-      fmt::format("add() {{\n  material(\"first\") {}\n  material(\"second\") {}\n}}",
-                  random.text(1), second == "same" ? random.text(1) : "scale(1/3) " + random.text(3)));
+      placement, fmt::format("add() {{\n  material(\"first\") {}\n  material(\"second\") {}\n}}",
+                             random.text(1),
+                             second == "same" ? random.text(1) : "scale(1/3) " + random.text(3)));
 }
 
 FamilyMember self_difference(const Parameters& parameters, std::uint64_t seed,
@@ -139,10 +139,9 @@ FamilyMember self_difference(const Parameters& parameters, std::uint64_t seed,
   SeededStream stream("scene/self-difference/" + solid, seed, case_id);
   const Placement placement(stream);
   const Length radius = random_length(stream, 1, 3);
-  return placed_member(placement,
-                       fmt::format("difference() {{\n  {}\n  {}\n}}",
-                                   from_equations(solid, radius, 1),
-                                   from_equations(solid, radius, equation == "same" ? 1 : 3)));
+  return placed_member(
+      placement, fmt::format("difference() {{\n  {}\n  {}\n}}", from_equations(solid, radius, 1),
+                             from_equations(solid, radius, equation == "same" ? 1 : 3)));
 }
 
 FamilyMember touching_stack(const Parameters& parameters, std::uint64_t seed,
@@ -161,8 +160,8 @@ FamilyMember touching_stack(const Parameters& parameters, std::uint64_t seed,
 
 FamilyMember thin_wall(const Parameters&, std::uint64_t seed, std::uint64_t case_id) {
   SeededStream stream("scene/thin-wall", seed, case_id);
-  return placed_member(
-      Placement(stream), "difference() {\n  sphere(2);\n  translate([0, 0, 1/2]) sphere(3/2);\n}");
+  return placed_member(Placement(stream),
+                       "difference() {\n  sphere(2);\n  translate([0, 0, 1/2]) sphere(3/2);\n}");
 }
 
 FamilyMember slab(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
@@ -172,9 +171,10 @@ FamilyMember slab(const Parameters& parameters, std::uint64_t seed, std::uint64_
 
 FamilyMember gap(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
   SeededStream stream("scene/gap", seed, case_id);
-  return placed_member(Placement(stream),
-                       fmt::format("add() {{\n  material(\"lower\") {}\n  material(\"upper\") {}\n}}",
-                                   wide(-1, 1), wide(positive(parameters[0]), 1)));
+  return placed_member(
+      Placement(stream),
+      fmt::format("add() {{\n  material(\"lower\") {}\n  material(\"upper\") {}\n}}", wide(-1, 1),
+                  wide(positive(parameters[0]), 1)));
 }
 
 FamilyMember four_cases(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
@@ -204,18 +204,17 @@ FamilyMember far_origin(const Parameters& parameters, std::uint64_t seed, std::u
   const bool scaled = how == "scaled";
   const FamilyMember near = coincident_faces(seed, case_id);
   FamilyMember member;
-  member.text = fmt::format(fmt::runtime(scaled ? "scale(1e{0}) {1}"
-                                                : "translate([1e{0}, 1e{0}, 1e{0}]) {1}"),
-                            power, near.text);
+  member.text = fmt::format(
+      fmt::runtime(scaled ? "scale(1e{0}) {1}" : "translate([1e{0}, 1e{0}, 1e{0}]) {1}"), power,
+      near.text);
   member.place = [scaled, value, place = near.place](const Point& p) {
     return scaled ? value * place(p) : place(p) + Point{value, value, value};
   };
   for (const FamilyMember::Patch& patch : near.patches) {
-    member.patches.push_back(scaled ? FamilyMember::Patch{value * patch.corner,
-                                                          value * patch.side1,
-                                                          value * patch.side2}
-                                    : FamilyMember::Patch{patch.corner + Point{value, value, value},
-                                                          patch.side1, patch.side2});
+    member.patches.push_back(
+        scaled ? FamilyMember::Patch{value * patch.corner, value * patch.side1, value * patch.side2}
+               : FamilyMember::Patch{patch.corner + Point{value, value, value}, patch.side1,
+                                     patch.side2});
   }
   return member;
 }

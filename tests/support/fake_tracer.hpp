@@ -33,7 +33,9 @@ class FakeTracer final : public method::Tracer {
   [[nodiscard]] std::span<const method::CrossingId> crossings() const override {
     return crossings_;
   }
-  [[nodiscard]] bool starts_inside(const method::Method&, csg::LeafIndex) const override { unused(); }
+  [[nodiscard]] bool starts_inside(const method::Method&, csg::LeafIndex) const override {
+    unused();
+  }
   [[nodiscard]] bool in_some_carrier() const override { return false; }
   [[nodiscard]] bool inside_at(csg::LeafIndex, std::size_t) const override { unused(); }
   void reorder(std::span<const csg::LeafIndex>) override { unused(); }

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "census/truth.hpp"
-#include "method/tracer.hpp"
 #include "geometry/ray_text.hpp"
+#include "method/tracer.hpp"
 #include "scene/scene.hpp"
 #include "support/class_tally.hpp"
 #include "support/reference_random.hpp"

@@ -14,8 +14,7 @@ using census::Artifact;
 Settings settings(std::uint64_t rays) {
   Settings settings;
   settings.plan.methods = {method::parse_method("epsilon:1")};  // experiments set the tolerance
-  settings.plan.numbers = {method::number_choice<double>(),
-                           method::number_choice<number::exact>()};
+  settings.plan.numbers = {method::number_choice<double>(), method::number_choice<number::exact>()};
   settings.rays = rays;
   settings.seed = 4;
   settings.warn = [](const std::string&) {};
@@ -61,8 +60,7 @@ TEST_CASE("A slab reappears at the angle arccos(g / epsilon)") {
         census::run_census(series.plan, series.tasks, series.task, [](auto, auto) { return true; });
     for (const census::Cell& cell : census.cells) {
       INFO(solid << " " << ratio << " " << angle << " in " << cell.number);
-      const std::uint64_t lost =
-          cell[solid == "gap" ? Artifact::GhostMaterial : Artifact::Void];
+      const std::uint64_t lost = cell[solid == "gap" ? Artifact::GhostMaterial : Artifact::Void];
       if (angle == "any") {
         const census::Interval part = census::clopper_pearson(cell.rays - lost, cell.rays);
         const double slack = (part.upper - part.lower) / 4;

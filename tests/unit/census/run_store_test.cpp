@@ -55,7 +55,8 @@ Census sample(std::uint64_t salt) {
     }
     census.cells.push_back(cell);
   }
-  census.pairs = {{"float", "roth", "regularized", 3 + salt, 4}, {"exact", "roth", "regularized", 1, 0}};
+  census.pairs = {{"float", "roth", "regularized", 3 + salt, 4},
+                  {"exact", "roth", "regularized", 1, 0}};
   return census;
 }
 
@@ -96,8 +97,8 @@ TEST_F(RunStoreTest, ReadsBackWhatWasWritten) {
   RunStore store = RunStore::open(folder());
   store.add_environment({{"version", "1"}, {"commit", "y"}});
   EXPECT_EQ(store.settings(), kSettings);
-  EXPECT_EQ(store.environments(),
-            (std::vector<Record>{{{"version", "1"}, {"commit", "x"}}, {{"version", "1"}, {"commit", "y"}}}));
+  EXPECT_EQ(store.environments(), (std::vector<Record>{{{"version", "1"}, {"commit", "x"}},
+                                                       {{"version", "1"}, {"commit", "y"}}}));
   EXPECT_EQ(store.series(), series);
   EXPECT_NO_THROW(store.set_series(series));
   EXPECT_EQ(store.block_count(), 2U);
@@ -159,7 +160,8 @@ TEST_F(RunStoreTest, NothingThereSaysHowToMakeIt) {
 
 TEST_F(RunStoreTest, WhatIsNoRunIsAnInputErrorThatNamesTheFile) {
   std::filesystem::create_directories(folder());
-  for (const std::string& text : {std::string(), std::string("no database"), std::string(5000, 'x')}) {
+  for (const std::string& text :
+       {std::string(), std::string("no database"), std::string(5000, 'x')}) {
     std::ofstream(file(), std::ios::binary) << text;
     EXPECT_NE(error().find("run.sqlite' is damaged"), std::string::npos) << error();
   }
@@ -176,7 +178,8 @@ TEST_F(RunStoreTest, ATruncatedFileIsToldFromASoundOne) {
   ASSERT_EQ(error(), "");
   const auto whole = std::filesystem::file_size(file());
   ASSERT_GT(whole, 20'000U);
-  for (const auto size : {whole - 1, whole - 4096, whole / 2, std::uintmax_t{4096}, std::uintmax_t{100}}) {
+  for (const auto size :
+       {whole - 1, whole - 4096, whole / 2, std::uintmax_t{4096}, std::uintmax_t{100}}) {
     std::filesystem::resize_file(file(), size);
     EXPECT_NE(error().find("is damaged"), std::string::npos) << size << ": " << error();
   }

@@ -19,8 +19,8 @@
 namespace lamina::test {
 namespace {
 
-const std::vector<std::string> kRun{"run",       "self-sum", "--rays", "1000", "--numbers",
-                                    "float,exact", "--seed",   "3"};
+const std::vector<std::string> kRun{"run",       "self-sum",    "--rays", "1000",
+                                    "--numbers", "float,exact", "--seed", "3"};
 
 std::string in_shell(const std::vector<std::string>& arguments) {
   std::string text;
@@ -48,7 +48,8 @@ pid_t start(const std::string& folder, rlim_t file_size = RLIM_INFINITY) {
     const rlimit limit{file_size, file_size};
     setrlimit(RLIMIT_FSIZE, &limit);
     signal(SIGXFSZ, SIG_IGN);  // a full file is an error of write(), as a full disk is
-    for (const auto& [name, stream] : {std::pair{".out", STDOUT_FILENO}, {".error", STDERR_FILENO}}) {
+    for (const auto& [name, stream] :
+         {std::pair{".out", STDOUT_FILENO}, {".error", STDERR_FILENO}}) {
       dup2(open((folder + name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), stream);
     }
     execv(argv[0], argv.data());
@@ -120,7 +121,8 @@ TEST(RunTest, ATruncatedStoreSaysWhatToDo) {
   ASSERT_EQ(status_of(start(folder)), 0);
   const std::string file = folder + "/run.sqlite";
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-  for (const std::string& command : {"table " + folder, in_shell(kRun) + "--resume --out " + folder}) {
+  for (const std::string& command :
+       {"table " + folder, in_shell(kRun) + "--resume --out " + folder}) {
     const Outcome outcome = lamina(command);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.error.find("is damaged"), std::string::npos) << outcome.error;
@@ -229,8 +231,7 @@ TEST(RunTest, EveryExperimentRunsAndItsTablesParse) {
     EXPECT_TRUE(regularized || name == "epsilon-sweep");
 
     for (const char* table : {"paired", "clock"}) {
-      std::istringstream more(
-          lamina("table " + folder + " --format csv --table " + table).out);
+      std::istringstream more(lamina("table " + folder + " --format csv --table " + table).out);
       std::getline(more, header);
       const std::size_t columns = fields_of(header).size();
       EXPECT_GT(columns, 3U);

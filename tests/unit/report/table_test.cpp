@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 
 // Values of every kind; 5 of 10 has the printed limits 18.71 and 81.29 %.
 Table sample() {
-  return {"some", "Some \"title\"",
+  return {"some",
+          "Some \"title\"",
           {{"name", "name", ""},
            {"bits", "bits", "Significand bits."},
            {"length", "wrong length", ""},
