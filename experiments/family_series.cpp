@@ -59,12 +59,14 @@ std::vector<Series> series_of(const std::vector<Subject>& subjects, const Settin
 
 std::vector<method::Method> with_epsilon(const std::vector<method::Method>& methods,
                                          const std::string& tolerance) {
-  std::vector<method::Method> result = methods;
-  for (method::Method& method : result) {
-    if (method.grouping == method::Grouping::WithinEpsilon) {
-      method = method::parse_method("epsilon:" + tolerance +
-                                    (method.relative_epsilon ? ":relative" : ""));
+  std::vector<method::Method> result;
+  bool any = false;
+  for (const method::Method& method : methods) {
+    const bool epsilon = method.grouping == method::Grouping::WithinEpsilon;
+    if (!epsilon || !any) {
+      result.push_back(epsilon ? method::parse_method("epsilon:" + tolerance) : method);
     }
+    any = any || epsilon;
   }
   return result;
 }

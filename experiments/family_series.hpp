@@ -45,7 +45,7 @@ struct Subject {
 /// A series for each subject, with equal parts of the rays.
 std::vector<Series> series_of(const std::vector<Subject>& subjects, const Settings& settings);
 
-/// The methods, every epsilon with this tolerance instead.
+/// The methods with one absolute epsilon of this tolerance for all that there are.
 std::vector<method::Method> with_epsilon(const std::vector<method::Method>& methods,
                                          const std::string& tolerance);
 

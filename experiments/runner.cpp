@@ -12,6 +12,32 @@ std::size_t blocks_of(const Series& series) {
   return (series.tasks + census::kTasksPerBlock - 1) / census::kTasksPerBlock;
 }
 
+std::size_t tasks_in(const Series& series, std::size_t block) {
+  return std::min(census::kTasksPerBlock, series.tasks - block * census::kTasksPerBlock);
+}
+
+// Settings and, for each session of the run, what it was made with.
+report::Table environment_table(const Experiment& experiment, const census::RunStore& store) {
+  report::Table table{"environment",
+                      experiment.name + ": settings and environment",
+                      {{"session", "session", "A run that was gone on with has several."},
+                       {"name", "name", ""},
+                       {"value", "value", ""}},
+                      {},
+                      {}};
+  table.on_request = true;
+  for (const auto& [name, value] : store.settings()) {
+    table.rows.push_back({std::string("all"), name, value});
+  }
+  const std::vector<census::Record> sessions = store.environments();
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    for (const auto& [name, value] : sessions[i]) {
+      table.rows.push_back({fmt::format("{}", i + 1), name, value});
+    }
+  }
+  return table;
+}
+
 report::Table clock_table(const Experiment& experiment, const census::RunStore& store,
                           const std::vector<census::SeriesRecord>& series) {
   report::Table table{"clock", experiment.name + ": time", experiment.labels, {}, {}};
@@ -48,17 +74,25 @@ void run_into(census::RunStore& store, const std::vector<Series>& series,
   std::uint64_t done = 0;
   for (std::size_t s = 0; s < series.size(); ++s) {
     for (std::size_t block = 0; block < records[s].blocks; ++block) {
-      const std::size_t first = block * census::kTasksPerBlock;
-      const std::size_t last = std::min(first + census::kTasksPerBlock, series[s].tasks);
-      if (!store.has_block(s, block)) {
-        using Clock = std::chrono::steady_clock;
-        const auto start = Clock::now();
-        const census::Census census =
-            census::run_tasks(series[s].plan, first, last, series[s].task);
-        store.add_block(s, block, census,
-                        std::chrono::duration<double>(Clock::now() - start).count());
+      done += store.has_block(s, block) ? tasks_in(series[s], block) : 0;
+    }
+  }
+  if (!progress(done, total)) {
+    return;
+  }
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    for (std::size_t block = 0; block < records[s].blocks; ++block) {
+      if (store.has_block(s, block)) {
+        continue;
       }
-      done += last - first;
+      using Clock = std::chrono::steady_clock;
+      const auto start = Clock::now();
+      const std::size_t first = block * census::kTasksPerBlock;
+      const census::Census census = census::run_tasks(
+          series[s].plan, first, first + tasks_in(series[s], block), series[s].task);
+      store.add_block(s, block, census,
+                      std::chrono::duration<double>(Clock::now() - start).count());
+      done += tasks_in(series[s], block);
       if (!progress(done, total)) {
         return;
       }
@@ -83,7 +117,8 @@ std::vector<report::Table> tables_of(const Experiment& experiment, const census:
   tables.push_back(
       report::paired_table(counted, experiment.labels, experiment.name + ": methods in pairs"));
   tables.push_back(clock_table(experiment, store, series));
-  if (const std::uint64_t done = store.block_count(); done < blocks) {
+  tables.push_back(environment_table(experiment, store));
+  if (const std::uint64_t done = store.block_count(); done < blocks || blocks == 0) {
     for (report::Table& table : tables) {
       table.notes.push_back(
           fmt::format("Not finished: {} of {} blocks of rays are counted.", done, blocks));

@@ -12,7 +12,8 @@ void run_into(census::RunStore& store, const std::vector<Series>& series,
               const census::Progress& progress);
 
 /// Tables of what the store has: the experiment's own, then on request `paired`, two methods
-/// on the same rays, and `clock`, how long it took. A run that is not finished says so.
+/// on the same rays, `clock`, how long it took, and `environment`. A run that is not finished says
+/// so.
 std::vector<report::Table> tables_of(const Experiment& experiment, const census::RunStore& store);
 
 }  // namespace lamina::experiments

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -36,6 +37,11 @@ geometry::ExactRay at_the_thin_wall(const scene::FamilyMember& member, const sce
 
 std::vector<Series> series(const Settings& settings) {
   Settings sweep = settings;
+  if (std::any_of(sweep.plan.methods.begin(), sweep.plan.methods.end(), [](const auto& method) {
+        return method.grouping != method::Grouping::WithinEpsilon;
+      })) {
+    settings.warn("epsilon-sweep runs epsilon:1e-16 to epsilon:1e-2, and no other method");
+  }
   sweep.plan.methods.clear();
   for (int exponent = 16; exponent >= 2; --exponent) {
     sweep.plan.methods.push_back(method::parse_method(fmt::format("epsilon:1e-{}", exponent)));
@@ -86,7 +92,8 @@ report::Table sweep_table(const std::vector<report::LabelledCensus>& counted) {
   }
   for (const auto& [number, found] : best) {
     table.notes.push_back(fmt::format(
-        "{}: at most {} of the {} scenes are free of all three under one epsilon, as under {}.",
+        "{}: at most {} of the {} scenes are free of wrong first interfaces, missed and ghost hits "
+        "under one epsilon, as under {}.",
         number, found.first, counted.size(), found.second));
   }
   return table;

@@ -18,8 +18,9 @@ Aim grazing_aim(const std::string& solid, int k, double distance) {
         ring ? Point{normal.x / across, normal.y / across, 0} + 0.25 * normal : normal;
     const Point d = cross(normal, scene::random_direction(stream));
     const Point along = (1 / std::sqrt(dot(d, d))) * d;
-    const double depth = std::pow(10.0, -k - stream.unit()) * (stream.chance(0.5) ? 1 : -1);
-    const Point nearest = surface - depth * normal;
+    const double depth = std::pow(10.0, -k - stream.unit());
+    const double below = stream.chance(0.5) ? depth : -depth;
+    const Point nearest = surface - below * normal;
     return scene::ray_from(member.place(nearest - distance * along), member.place(nearest),
                            scene::Held::Double);
   };

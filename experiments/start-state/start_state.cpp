@@ -61,7 +61,7 @@ Experiment start_state() {
           .labels = {{"solid", "solid",
                       "Rays nearly along the axis of a cylinder, the planes of a slab, a line in a "
                       "cone."},
-                     {"k", "k", "The angle is from 2^-(k+1) to 2^-k."}},
+                     {"k", "k", "The angle is about 2^-k."}},
           .default_rays = 39'000,
           .default_methods =
               "regularized,wyvill-trotman,wyvill-trotman:reference:1e3,"

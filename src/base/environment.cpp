@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "commit.hpp"
+
 namespace lamina::base {
 namespace {
 

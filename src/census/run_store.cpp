@@ -66,6 +66,7 @@ std::string schema() {
       "CREATE TABLE cell (series INTEGER, block INTEGER, position INTEGER,"
       " method TEXT NOT NULL, number TEXT NOT NULL{},"
       " worst_scene TEXT, worst_ray TEXT, worst_artifacts INTEGER, worst_length REAL,"
+      " worst_options TEXT,"
       " PRIMARY KEY (series, block, position));"
       "CREATE TABLE pair (series INTEGER, block INTEGER, position INTEGER,"
       " number TEXT NOT NULL, first TEXT NOT NULL, second TEXT NOT NULL,"
@@ -268,9 +269,9 @@ void RunStore::add_block(std::size_t series, std::size_t block, const Census& ce
       .bind(census.in_carrier)
       .bind(census.with_coincidence)
       .run();
-  Statement insert_cell(
-      *database_,
-      fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?)", number_columns(", ?")));
+  Statement insert_cell(*database_,
+                        fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?, ?)",
+                                    number_columns(", ?")));
   for (std::size_t i = 0; i < census.cells.size(); ++i) {
     const Cell& cell = census.cells[i];
     insert_cell.bind(series).bind(block).bind(i).bind(cell.method).bind(cell.number);
@@ -280,6 +281,7 @@ void RunStore::add_block(std::size_t series, std::size_t block, const Census& ce
         .bind(cell.worst ? geometry::to_text(worst.ray) : std::string())
         .bind(worst.artifacts)
         .bind(worst.wrong_length)
+        .bind(worst.options)
         .run();
   }
   Statement insert_pair(*database_, "INSERT INTO pair VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
@@ -301,11 +303,12 @@ std::optional<Census> RunStore::census(std::size_t series) const {
   Statement blocks(*database_,
                    "SELECT block, rays, in_carrier, with_coincidence FROM block WHERE series = ? "
                    "ORDER BY block");
-  Statement cells(*database_,
-                  fmt::format("SELECT method, number{}, worst_scene, worst_ray, worst_artifacts, "
-                              "worst_length FROM cell WHERE series = ? AND block = ? "
-                              "ORDER BY position",
-                              number_columns(", \"{}\"")));
+  Statement cells(
+      *database_,
+      fmt::format("SELECT method, number{}, worst_scene, worst_ray, worst_artifacts, "
+                  "worst_length, worst_options FROM cell WHERE series = ? AND block = ? "
+                  "ORDER BY position",
+                  number_columns(", \"{}\"")));
   Statement pairs(*database_,
                   "SELECT number, first, second, only_first_wrong, only_second_wrong FROM pair "
                   "WHERE series = ? AND block = ? ORDER BY position");
@@ -326,6 +329,7 @@ std::optional<Census> RunStore::census(std::size_t series) const {
       const std::string ray = cells.text();
       cells.read(worst.artifacts);
       cells.read(worst.wrong_length);
+      worst.options = cells.text();
       if (!ray.empty()) {
         worst.ray = geometry::parse_ray(ray);
         cell.worst = std::move(worst);

@@ -13,8 +13,11 @@ Database::Database(std::string file, int flags) : name_(std::move(file)) {
   if (code != SQLITE_OK) {
     const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
     sqlite3_close(handle_);
-    throw base::InputError(fmt::format("'{}' cannot be opened: {}", name_, why));
+    throw base::InputError(
+        fmt::format("'{}' cannot be opened ({}): may its folder be written?", name_, why));
   }
+  // A column that is not there is an error, not a text of its name.
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
   constexpr int kPatienceMilliseconds = 5000;
   sqlite3_busy_timeout(handle_, kPatienceMilliseconds);
 }
@@ -36,6 +39,9 @@ void Database::fail() const {
           "'{}' cannot be written ({}): what was finished is kept; make room and go on with "
           "--resume",
           name_, why));
+    case SQLITE_READONLY:
+      throw base::InputError(
+          fmt::format("'{}' may not be written ({}): copy the folder elsewhere", name_, why));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_CONSTRAINT:

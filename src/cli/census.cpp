@@ -86,10 +86,17 @@ census::Census scene_census(const scene::Scene& scene, const Options& options,
       progress);
 }
 
+std::vector<report::Table> tables_of(const std::vector<report::LabelledCensus>& censuses) {
+  const std::vector<report::Column> labels{{"scene", "scene", ""}};
+  return {report::census_table(censuses, labels, "census"),
+          report::paired_table(censuses, labels, "census: methods in pairs")};
+}
+
 void run(const Options& options) {
-  options.tables.check();
+  options.tables.check(tables_of({}));
   const census::Plan plan{parse_methods(options.methods), parse_numbers(options.numbers),
-                          options.solvers.solvers(), options.threads};
+                          options.solvers.solvers(), options.threads,
+                          replay_options(options.read.read, options.solvers)};
   const auto rays =
       options.rays_file.empty() ? std::vector<geometry::ExactRay>{} : read_rays(options.rays_file);
   if (!options.rays_file.empty() && rays.empty()) {
@@ -106,9 +113,7 @@ void run(const Options& options) {
       break;
     }
   }
-  const std::vector<report::Column> labels{{"scene", "scene", ""}};
-  std::vector<report::Table> tables{report::census_table(censuses, labels, "census"),
-                                    report::paired_table(censuses, labels, "census: in pairs")};
+  std::vector<report::Table> tables = tables_of(censuses);
   if (interrupted()) {
     tables[0].notes.emplace_back("Interrupted: the counts are of the rays that were finished.");
   }

@@ -1,4 +1,5 @@
-// The `lamina` program. Exit status: 0 done, 1 internal error, 2 bad input or usage.
+// The `lamina` program. Exit status: 0 done, 1 internal error, 2 bad input or usage, 130
+// interrupted: what was finished is printed.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -6,6 +7,7 @@
 #include "base/contract.hpp"
 #include "base/environment.hpp"
 #include "cli/commands.hpp"
+#include "cli/progress.hpp"
 #include "number/versions.hpp"
 
 namespace {
@@ -53,5 +55,5 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "internal error: {}\n", error.what());
     return 1;
   }
-  return 0;
+  return cli::interrupted() ? 130 : 0;
 }

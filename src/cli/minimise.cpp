@@ -48,13 +48,8 @@ std::string document(const Options& options, const census::Case& small,
   text += small.text;
   text += fmt::format("// lamina explain {} --ray \"{}\" --methods {} --numbers {}", file,
                       geometry::to_text(small.ray), methods[0].name, numbers[0].name);
-  const SolverOptions defaults;
-  if (options.solvers.quadratic != defaults.quadratic) {
-    text += " --quadratic " + options.solvers.quadratic;
-  }
-  if (options.solvers.quartic != defaults.quartic) {
-    text += " --quartic " + options.solvers.quartic;
-  }
+  // The small scene is made of half-spaces: there is nothing to facet.
+  text += replay_options({}, options.solvers);
   scene::Scene named = small.scene;
   named.name = options.out.empty() ? file : options.out;
   return text + "\n//\n" + commented(report::explain(named, small.ray, methods, numbers, solvers));
@@ -76,13 +71,9 @@ void run(const Options& options) {
         "surface; `lamina census` prints rays on which something is wrong",
         methods[0].name, numbers[0].name));
   }
-  // Opened before the work, so that a wrong name does not cost it.
-  std::ofstream file;
-  if (!options.out.empty()) {
-    file.open(options.out, std::ios::binary);
-    if (!file) {
-      throw base::InputError(fmt::format("'{}' cannot be written", options.out));
-    }
+  // Asked before the work, so that a wrong name does not cost it; nothing is lost yet.
+  if (!options.out.empty() && !std::ofstream(options.out, std::ios::app)) {
+    throw base::InputError(fmt::format("'{}' cannot be written", options.out));
   }
   catch_interrupts();
   const census::Case small = census::minimise(
@@ -94,10 +85,10 @@ void run(const Options& options) {
       progress_bar());
   const std::string text = document(options, small, *symptom_of(small.scene, small.ray),
                                     scene.leaves.size(), methods, numbers, solvers);
-  if (file.is_open() && !(file << text).flush()) {
+  fmt::print("{}", text);
+  if (!options.out.empty() && !(std::ofstream(options.out, std::ios::binary) << text).flush()) {
     throw base::InputError(fmt::format("'{}' cannot be written", options.out));
   }
-  fmt::print("{}", text);
 }
 
 }  // namespace

@@ -46,4 +46,18 @@ struct SolverOptions {
   [[nodiscard]] poly::Solvers solvers() const { return parse_solvers(quadratic, quartic); }
 };
 
+/// What `lamina explain` needs besides scene and ray to see what these options made of them:
+/// those that are not the defaults, each behind a blank.
+inline std::string replay_options(const scene::ReadOptions& read, const SolverOptions& solvers) {
+  const SolverOptions defaults;
+  std::string text = read.facets ? " --facets" : "";
+  if (solvers.quadratic != defaults.quadratic) {
+    text += " --quadratic " + solvers.quadratic;
+  }
+  if (solvers.quartic != defaults.quartic) {
+    text += " --quartic " + solvers.quartic;
+  }
+  return text;
+}
+
 }  // namespace lamina::cli

@@ -29,14 +29,19 @@ std::function<bool(std::uint64_t, std::uint64_t)> progress_bar(const std::string
   constexpr int kWidth = 40;
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   return [on_terminal, label = what.empty() ? "" : what + " ", start = Clock::now(),
-          last = std::make_shared<Clock::time_point>()](std::uint64_t done, std::uint64_t total) {
+          last = std::make_shared<Clock::time_point>(),
+          begun = std::make_shared<double>(-1)](std::uint64_t done, std::uint64_t total) {
     const auto now = Clock::now();
     const bool finished = done >= total;
     if (on_terminal && total > 0 && (finished || now - *last > std::chrono::milliseconds(100))) {
       *last = now;
       const double part = static_cast<double>(done) / static_cast<double>(total);
       const std::chrono::duration<double> spent = now - start;
-      const double left = part > 0 ? spent.count() * (1 - part) / part : 0;
+      // What a resumed run had already took none of this time.
+      if (*begun < 0) {
+        *begun = part;
+      }
+      const double left = part > *begun ? spent.count() * (1 - part) / (part - *begun) : 0;
       const int filled = static_cast<int>(part * kWidth);
       // The bar is wiped when it is full: only results stay on the screen.
       fmt::print(stderr, "\r\033[K{}",

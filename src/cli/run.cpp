@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -38,6 +39,7 @@ experiments::Settings settings_of(const Options& options,
       parse_methods(options.methods.empty() ? experiment.default_methods : options.methods),
       parse_numbers(options.numbers.empty() ? experiment.default_numbers : options.numbers),
       options.solvers.solvers(), options.threads};
+  settings.plan.options = replay_options(options.read.read, options.solvers);
   settings.read = options.read.read;
   settings.rays = options.rays == 0 ? experiment.default_rays : options.rays;
   settings.seed = options.seed;
@@ -105,9 +107,10 @@ census::RunStore resumed(const std::filesystem::path& folder, const census::Reco
   const std::string commit = value_in(environment(), "commit");
   for (const census::Record& session : store.environments()) {
     if (value_in(session, "commit") != commit) {
-      fmt::print(stderr, "note: '{}' was begun at commit {}, this is {}; both are recorded\n",
-                 folder.string(), value_in(session, "commit"), commit);
-      break;
+      throw base::InputError(fmt::format(
+          "the run in '{}' was begun by commit {} of Lamina, this is {}: go on with that one, or "
+          "name another folder",
+          folder.string(), value_in(session, "commit"), commit));
     }
   }
   return store;
@@ -124,10 +127,17 @@ census::RunStore store_of(const std::string& folder, const census::Record& setti
 void run_one(const Options& options, const experiments::Experiment& experiment,
              const std::string& folder) {
   const experiments::Settings settings = settings_of(options, experiment);
+  const std::vector<experiments::Series> series = experiment.series(settings);
+  if (std::any_of(series.begin(), series.end(), [](const auto& s) { return s.tasks == 0; })) {
+    throw base::InputError(fmt::format("{} has {} series of rays: give --rays {} at least",
+                                       experiment.name, series.size(), 12 * series.size()));
+  }
   census::RunStore store =
       store_of(folder, record_of(options, experiment, settings), options.resume);
-  store.add_environment(environment());
-  experiments::run_into(store, experiment.series(settings), progress_bar(experiment.name));
+  census::Record session = environment();
+  session.emplace_back("threads", options.threads > 0 ? fmt::format("{}", options.threads) : "all");
+  store.add_environment(session);
+  experiments::run_into(store, series, progress_bar(experiment.name));
   print_tables(experiments::tables_of(experiment, store), options.tables);
   if (interrupted()) {
     fmt::print(
@@ -139,19 +149,40 @@ void run_one(const Options& options, const experiments::Experiment& experiment,
 }
 
 void run(const Options& options) {
-  options.tables.check();
   const bool all = options.experiment == "all";
   const std::vector<experiments::Experiment> chosen =
       all ? experiments::all_experiments()
           : std::vector{experiments::find_experiment(options.experiment)};
+  if (all && options.tables.is_for_programs()) {
+    throw base::InputError(
+        "run all prints many tables: in csv or json, keep the runs with --out, and ask for one "
+        "table after the other with `lamina table`");
+  }
+  for (const experiments::Experiment& experiment : chosen) {
+    options.tables.check(experiments::tables_of(experiment, census::RunStore::in_memory({})));
+  }
   catch_interrupts();
+  std::size_t failed = 0;
   for (const experiments::Experiment& experiment : chosen) {
     if (interrupted()) {
       break;
     }
     const bool below = all && !options.out.empty();
-    run_one(options, experiment,
-            below ? (std::filesystem::path(options.out) / experiment.name).string() : options.out);
+    try {
+      run_one(
+          options, experiment,
+          below ? (std::filesystem::path(options.out) / experiment.name).string() : options.out);
+    } catch (const base::InputError& error) {
+      if (!all) {
+        throw;
+      }
+      fmt::print(stderr, "{}: {}\n", experiment.name, error.what());
+      ++failed;
+    }
+  }
+  if (failed > 0) {
+    throw base::InputError(
+        fmt::format("{} of {} experiments could not be run", failed, chosen.size()));
   }
 }
 

@@ -37,7 +37,11 @@ void add_table(CLI::App& app) {
       "         lamina table results/coincident --table paired --format csv");
   command->add_option("dir", options->folder, "the folder that --out named")->required();
   options->tables.add_to(*command);
-  command->callback([options] { print_tables(tables_in(options->folder), options->tables); });
+  command->callback([options] {
+    const std::vector<report::Table> tables = tables_in(options->folder);
+    options->tables.check(tables);
+    print_tables(tables, options->tables);
+  });
 }
 
 }  // namespace lamina::cli

@@ -12,10 +12,20 @@ void TableOptions::add_to(CLI::App& command) {
   command.add_option("--format", format, "md, csv, json, latex")->capture_default_str();
   command.add_option("--table", name,
                      "one table only, by its name: artifacts, paired (two methods on the same "
-                     "rays), clock, or one of the experiment's own");
+                     "rays), clock, environment, or one of the experiment's own");
 }
 
-void TableOptions::check() const { static_cast<void>(report::parse_format(format)); }
+void TableOptions::check(const std::vector<report::Table>& tables) const {
+  static_cast<void>(report::parse_format(format));
+  std::vector<std::string> names;
+  for (const report::Table& table : tables) {
+    names.push_back(table.name);
+  }
+  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) {
+    throw base::InputError(
+        fmt::format("no table '{}'; there are: {}", name, fmt::join(names, ", ")));
+  }
+}
 
 void print_tables(const std::vector<report::Table>& tables, const TableOptions& options) {
   const report::Format format = report::parse_format(options.format);
@@ -24,14 +34,6 @@ void print_tables(const std::vector<report::Table>& tables, const TableOptions& 
                [&options](const report::Table& table) {
                  return options.name.empty() ? !table.on_request : table.name == options.name;
                });
-  if (chosen.empty()) {
-    std::vector<std::string> names;
-    for (const report::Table& table : tables) {
-      names.push_back(table.name);
-    }
-    throw base::InputError(
-        fmt::format("no table '{}'; there are: {}", options.name, fmt::join(names, ", ")));
-  }
   if (format == report::Format::Csv) {
     chosen.resize(1);
   }

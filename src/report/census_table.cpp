@@ -20,7 +20,7 @@ std::vector<Column> columns(const std::vector<Column>& label_columns) {
               {"bits", "bits", "Significand bits of the number type."},
               {"rays", "rays", "Rays that were judged: those that lie in no carrier.", true},
               {"coincident", "coincident",
-               "Of all rays, those that meet an exact class of two leaves or more.", true}});
+               "Of them, those that meet an exact class of two leaves or more.", true}});
   for (const census::ArtifactText& text : census::artifact_texts()) {
     all.push_back(
         {std::string(text.name), std::string(text.heading), std::string(text.definition)});
@@ -31,7 +31,8 @@ std::vector<Column> columns(const std::vector<Column>& label_columns) {
   }
   const std::vector<Column> rest{
       {"order_sensitive", "order",
-       "The answer hangs on the order of the leaves, which decides ties of t."},
+       "The answer hangs on the order of the leaves, which decides ties of t; where more than four "
+       "tie, some orders are tried."},
       {"most_outcomes", "outcomes", "The most different answers to one ray over orders of leaves.",
        true},
       {"lamina_front", "lamina front",
@@ -144,14 +145,16 @@ Table census_table(const std::vector<LabelledCensus>& censuses,
     in_carrier += labelled.census.in_carrier;
     coincident += labelled.census.with_coincidence;
   }
-  table.notes.push_back(fmt::format(
-      "{} rays in all, the same for every method and number type; {} of them lie in a carrier, are "
-      "counted apart and not judged; {} of the others meet coincident surfaces.",
-      rays, in_carrier, coincident));
+  table.notes.push_back(
+      fmt::format("{} rays in all, the same for all rows with the same labels; {} of them lie in a "
+                  "carrier, are "
+                  "counted apart and not judged; {} of the others meet coincident surfaces.",
+                  rays, in_carrier, coincident));
   for (const census::Cell* cell : cells_to_replay(censuses)) {
-    table.notes.push_back(fmt::format(
-        "To replay: `lamina explain '{}' --ray \"{}\" --methods {} --numbers {}`",
-        cell->worst->scene, geometry::to_text(cell->worst->ray), cell->method, cell->number));
+    table.notes.push_back(
+        fmt::format("To replay: `lamina explain '{}' --ray \"{}\" --methods {} --numbers {}{}`",
+                    cell->worst->scene, geometry::to_text(cell->worst->ray), cell->method,
+                    cell->number, cell->worst->options));
   }
   return table;
 }

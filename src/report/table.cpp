@@ -222,8 +222,15 @@ nlohmann::ordered_json json(const Table& table) {
     }
     rows.push_back(std::move(object));
   }
+  nlohmann::ordered_json definitions = nlohmann::ordered_json::object();
+  for (const Column& column : table.columns) {
+    if (!column.definition.empty()) {
+      definitions[column.name] = column.definition;
+    }
+  }
   return {{"name", table.name},
           {"title", table.title},
+          {"definitions", std::move(definitions)},
           {"rows", std::move(rows)},
           {"notes", table.notes}};
 }

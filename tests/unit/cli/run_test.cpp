@@ -139,7 +139,7 @@ TEST(RunTest, InterruptKeepsWhatIsFinishedAndSaysHowToGoOn) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   kill(child, SIGINT);
-  EXPECT_EQ(status_of(child), 0);
+  EXPECT_EQ(status_of(child), 130);
   EXPECT_NE(read(folder + ".error").find("--resume"), std::string::npos) << read(folder + ".error");
   EXPECT_NE(read(folder + ".out").find("Not finished: "), std::string::npos);
   EXPECT_EQ(resumed_table(folder), whole_table());

@@ -24,7 +24,8 @@ Rational nearest(const Rational& value) {
 
 template <typename Number>
 Number random_number(base::SeededStream& stream) {
-  const Rational value(Integer(stream.bits()), Integer(stream.bits() | 1U));
+  const Integer dividend(stream.bits());
+  const Rational value(dividend, Integer(stream.bits() | 1U));
   return number_traits<Number>::from_exact(stream.chance(0.5) ? value : Rational(-value));
 }
 

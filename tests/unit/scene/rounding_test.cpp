@@ -208,12 +208,16 @@ void expect_the_tracers_constants() {
   for (std::uint64_t case_id = 0; case_id < 40; ++case_id) {
     base::SeededStream stream("scene/rounding_test", 1, case_id);
     const auto number = [&stream] {
-      return number::to_text(Rational(stream.integer(1, 40), stream.integer(1, 40)));
+      const std::int64_t dividend = stream.integer(1, 40);
+      return number::to_text(Rational(dividend, stream.integer(1, 40)));
     };
-    const Scene scene =
-        scene_of("translate([" + number() + ", " + number() + ", " + number() + "]) rotate([" +
-                 number() + ", " + number() + ", " + number() + "]) scale([" + number() + ", " +
-                 number() + ", " + number() + "]) " + kPlanes);
+    std::string text;
+    for (const char* map : {"translate", "rotate", "scale"}) {
+      text += std::string(map) + "([" + number();
+      text += ", " + number();
+      text += ", " + number() + "]) ";
+    }
+    const Scene scene = scene_of(text + kPlanes);
     const auto constants =
         scene_of_constants(rounded_scene(scene, rounding<Number>).value(), rounding<Number>);
     ASSERT_TRUE(constants);

@@ -181,9 +181,10 @@ std::string damaged(std::string text, base::SeededStream& stream) {
       case 1:
         text.erase(at, 1 + stream.below(5));
         break;
-      case 2:
-        text.insert(at, text.substr(stream.below(text.size()), stream.below(30)));
-        break;
+      case 2: {
+        const std::size_t from = stream.below(text.size());
+        text.insert(at, text.substr(from, stream.below(30)));
+      } break;
       default:
         text[at] = kSyntax[stream.below(kSyntax.size())];
     }
