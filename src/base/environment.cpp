@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "commit.hpp"
+#include <commit.hpp>  // written by the build
 
 namespace lamina::base {
 namespace {
