@@ -57,7 +57,7 @@ Experiment near_tangent() {
                      {"depth", "depth",
                       "How far below or above the tangent plane rays pass: from this to a tenth of "
                       "it."}},
-          .default_rays = 42'000,
+          .default_rays = 21'000,
           .default_methods = "roth,regularized,wyvill-trotman,wyvill-trotman:parity",
           .default_numbers = "double,longdouble,bin113,exact",
           .series = series};

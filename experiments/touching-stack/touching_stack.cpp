@@ -52,7 +52,7 @@ Experiment touching_stack() {
           .question = "How do errors grow along a stack of touching cubes?",
           .source = "Wyvill and Trotman 1990, section 1: touching solids",
           .labels = {{"cubes", "cubes", "In the stack; every ray goes through all of them."}},
-          .default_rays = 4'000,
+          .default_rays = 2'000,
           .default_numbers = "float,double,bin113,exact",
           .series = series};
 }
