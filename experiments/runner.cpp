@@ -103,11 +103,15 @@ void run_into(census::RunStore& store, const std::vector<Series>& series,
 std::vector<report::Table> tables_of(const Experiment& experiment, const census::RunStore& store) {
   const std::vector<census::SeriesRecord> series = store.series();
   std::vector<report::LabelledCensus> counted;
+  std::string options;
+  for (const auto& [name, value] : store.settings()) {
+    options = name == kOptionsSetting ? value : options;
+  }
   std::uint64_t blocks = 0;
   for (std::size_t s = 0; s < series.size(); ++s) {
     blocks += series[s].blocks;
     if (auto census = store.census(s)) {
-      counted.push_back({series[s].labels, std::move(*census)});
+      counted.push_back({series[s].labels, std::move(*census), options});
     }
   }
   std::vector<report::Table> tables =

@@ -6,6 +6,9 @@
 
 namespace lamina::experiments {
 
+/// The setting of a store that has what `lamina explain` needs besides to replay a ray.
+inline constexpr const char* kOptionsSetting = "options";
+
 /// Counts the blocks that the store does not have. `progress` is told the tasks that are done
 /// and those in all, and stops the run between two blocks by returning false.
 void run_into(census::RunStore& store, const std::vector<Series>& series,

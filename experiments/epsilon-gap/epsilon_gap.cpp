@@ -88,7 +88,7 @@ report::Table visible_table(const std::vector<report::LabelledCensus>& counted) 
                        {"seen", "seen", "Rays on which every medium is right."}},
                       {},
                       {}};
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     const auto text = [&l = labels](std::size_t i) { return std::get<std::string>(l[i]); };
     const double ratio = number::nearest_double(number::parse_rational(text(1)));
     for (const census::Cell& cell : census.cells) {

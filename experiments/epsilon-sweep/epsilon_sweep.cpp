@@ -69,7 +69,7 @@ report::Table sweep_table(const std::vector<report::LabelledCensus>& counted) {
       {}};
   // By number type and epsilon: scenes on which it gets nothing wrong.
   std::map<std::pair<std::string, std::string>, std::size_t> clean;
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     for (const census::Cell& cell : census.cells) {
       const std::string epsilon = cell.method.substr(cell.method.find(':') + 1);
       table.rows.push_back({report::value_of(labels[0]), cell.number, epsilon,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "experiments/all_experiments.hpp"
 #include "experiments/family_series.hpp"
@@ -53,7 +54,8 @@ std::vector<Series> series(const Settings& settings) {
         settings.rays / kinds().size(), settings);
     if (!in_float) {
       std::erase_if(one.plan.numbers, [](const method::NumberChoice& number) {
-        return number.significand_bits > 0 && number.significand_bits < 53;
+        return number.significand_bits > 0 &&
+               number.significand_bits < std::numeric_limits<double>::digits;
       });
     }
     all.push_back(std::move(one));

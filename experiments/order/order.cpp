@@ -26,7 +26,7 @@ report::Table outcome_table(const std::vector<report::LabelledCensus>& counted) 
                        {"most_outcomes", "outcomes", "Different answers to one ray, at most."}},
                       {},
                       {}};
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     for (const census::Cell& cell : census.cells) {
       table.rows.push_back({report::value_of(labels[0]), cell.method, cell.number,
                             report::Rate{cell.order_sensitive, cell.rays},

@@ -33,7 +33,7 @@ report::Table bits_table(const std::vector<report::LabelledCensus>& counted) {
                       {{"scene", "scene", ""}, {"method", "method", ""}},
                       {},
                       {}};
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     for (std::size_t c = 0; c < census.cells.size(); ++c) {
       const census::Cell& cell = census.cells[c];
       if (c == 0 || cell.method != census.cells[c - 1].method) {

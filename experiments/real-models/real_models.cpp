@@ -107,7 +107,7 @@ report::Table model_table(const Experiment& experiment, const std::string& aim,
                       {},
                       {}};
   table.columns.push_back({"rays", "rays", ""});
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     if (labels[0] != census::Label(aim)) {
       continue;
     }
@@ -130,9 +130,9 @@ report::Table model_table(const Experiment& experiment, const std::string& aim,
 std::vector<report::LabelledCensus> over_models(
     const std::vector<report::LabelledCensus>& counted) {
   std::vector<report::LabelledCensus> sums;
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     if (sums.empty() || sums.back().labels[0] != labels[0]) {
-      sums.push_back({{labels[0]}, census});
+      sums.push_back({{labels[0]}, census, options});
     } else {
       sums.back().census.merge(census);
     }

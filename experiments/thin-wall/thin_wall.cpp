@@ -62,7 +62,7 @@ report::Table hole_table(const std::vector<report::LabelledCensus>& counted) {
        {"upper", "upper", ""}},
       {},
       {}};
-  for (const auto& [labels, census] : counted) {
+  for (const auto& [labels, census, options] : counted) {
     const std::string& tolerance = std::get<std::string>(labels[0]);
     for (const census::Cell& cell : census.cells) {
       if (!cell.method.starts_with("epsilon:")) {

@@ -34,7 +34,7 @@ Census empty_census(const Plan& plan) {
 
 namespace {
 
-void note_worst(Cell& cell, const Verdict& verdict, const Plan& plan, const Task& task,
+void note_worst(Cell& cell, const Verdict& verdict, const Task& task,
                 const geometry::ExactRay& ray) {
   const auto kinds = static_cast<std::uint32_t>(
       std::count_if(verdict.count.begin(), verdict.count.end(), [](auto c) { return c > 0; }));
@@ -43,7 +43,7 @@ void note_worst(Cell& cell, const Verdict& verdict, const Plan& plan, const Task
                                      verdict.wrong_length <= cell.worst->wrong_length)))) {
     return;
   }
-  cell.worst = WorstCase{task.scene.name, ray, kinds, verdict.wrong_length, plan.options};
+  cell.worst = WorstCase{task.scene.name, ray, kinds, verdict.wrong_length};
 }
 
 // Judges the rays of one task, one after the other.
@@ -113,7 +113,7 @@ class TaskRun {
       if (wrong_[m]) {
         ++cell.caused[static_cast<std::size_t>(attribution_.cause(m, n))];
       }
-      note_worst(cell, verdict, plan_, task_, ray);
+      note_worst(cell, verdict, task_, ray);
     }
     count_pairs(n);
     count_orders(*lane.tracer, n);

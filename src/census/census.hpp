@@ -20,7 +20,6 @@ struct Plan {
   std::vector<method::NumberChoice> numbers;
   poly::Solvers solvers;
   int threads = 0;                   ///< 0: as many as the machine has
-  std::string options{};             ///< of the command line, that its rays need to replay
   std::uint32_t random_orders = 24;  ///< of the leaves, where too many tie to try all orders
 };
 
@@ -30,7 +29,6 @@ struct WorstCase {
   geometry::ExactRay ray;
   std::uint32_t artifacts = 0;  ///< kinds of artifacts that it shows
   double wrong_length = 0;
-  std::string options{};  ///< of the command line, besides
 };
 
 /// Counts of one method in one number type.

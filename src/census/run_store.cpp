@@ -66,7 +66,6 @@ std::string schema() {
       "CREATE TABLE cell (series INTEGER, block INTEGER, position INTEGER,"
       " method TEXT NOT NULL, number TEXT NOT NULL{},"
       " worst_scene TEXT, worst_ray TEXT, worst_artifacts INTEGER, worst_length REAL,"
-      " worst_options TEXT,"
       " PRIMARY KEY (series, block, position));"
       "CREATE TABLE pair (series INTEGER, block INTEGER, position INTEGER,"
       " number TEXT NOT NULL, first TEXT NOT NULL, second TEXT NOT NULL,"
@@ -108,7 +107,9 @@ void check_sound(const Database& database) {
   }
   // SQLite overlooks a last page that is cut off.
   const std::uint64_t bytes = number_of("PRAGMA page_count") * number_of("PRAGMA page_size");
-  if (std::filesystem::file_size(database.name()) < bytes) {
+  std::error_code error;
+  const std::uintmax_t there = std::filesystem::file_size(database.name(), error);
+  if (error || there < bytes) {
     database.damaged("it is cut off");
   }
   Statement check(database, "PRAGMA quick_check(1)");
@@ -148,7 +149,11 @@ RunStore RunStore::begin(const std::filesystem::path& folder, const Record& sett
   draft += ".new";
   std::filesystem::remove(draft, error);
   make_schema(Database(draft.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE), settings);
-  std::filesystem::rename(draft, file_in(folder));
+  std::filesystem::rename(draft, file_in(folder), error);
+  if (error) {
+    throw base::InputError(
+        fmt::format("'{}' cannot be made: {}", file_in(folder).string(), error.message()));
+  }
   return open(folder);
 }
 
@@ -269,9 +274,9 @@ void RunStore::add_block(std::size_t series, std::size_t block, const Census& ce
       .bind(census.in_carrier)
       .bind(census.with_coincidence)
       .run();
-  Statement insert_cell(*database_,
-                        fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?, ?)",
-                                    number_columns(", ?")));
+  Statement insert_cell(
+      *database_,
+      fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?)", number_columns(", ?")));
   for (std::size_t i = 0; i < census.cells.size(); ++i) {
     const Cell& cell = census.cells[i];
     insert_cell.bind(series).bind(block).bind(i).bind(cell.method).bind(cell.number);
@@ -281,7 +286,6 @@ void RunStore::add_block(std::size_t series, std::size_t block, const Census& ce
         .bind(cell.worst ? geometry::to_text(worst.ray) : std::string())
         .bind(worst.artifacts)
         .bind(worst.wrong_length)
-        .bind(worst.options)
         .run();
   }
   Statement insert_pair(*database_, "INSERT INTO pair VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
@@ -303,12 +307,11 @@ std::optional<Census> RunStore::census(std::size_t series) const {
   Statement blocks(*database_,
                    "SELECT block, rays, in_carrier, with_coincidence FROM block WHERE series = ? "
                    "ORDER BY block");
-  Statement cells(
-      *database_,
-      fmt::format("SELECT method, number{}, worst_scene, worst_ray, worst_artifacts, "
-                  "worst_length, worst_options FROM cell WHERE series = ? AND block = ? "
-                  "ORDER BY position",
-                  number_columns(", \"{}\"")));
+  Statement cells(*database_,
+                  fmt::format("SELECT method, number{}, worst_scene, worst_ray, worst_artifacts, "
+                              "worst_length FROM cell WHERE series = ? AND block = ? "
+                              "ORDER BY position",
+                              number_columns(", \"{}\"")));
   Statement pairs(*database_,
                   "SELECT number, first, second, only_first_wrong, only_second_wrong FROM pair "
                   "WHERE series = ? AND block = ? ORDER BY position");
@@ -329,7 +332,6 @@ std::optional<Census> RunStore::census(std::size_t series) const {
       const std::string ray = cells.text();
       cells.read(worst.artifacts);
       cells.read(worst.wrong_length);
-      worst.options = cells.text();
       if (!ray.empty()) {
         worst.ray = geometry::parse_ray(ray);
         cell.worst = std::move(worst);

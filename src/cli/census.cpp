@@ -95,8 +95,7 @@ std::vector<report::Table> tables_of(const std::vector<report::LabelledCensus>& 
 void run(const Options& options) {
   options.tables.check(tables_of({}));
   const census::Plan plan{parse_methods(options.methods), parse_numbers(options.numbers),
-                          options.solvers.solvers(), options.threads,
-                          replay_options(options.read.read, options.solvers)};
+                          options.solvers.solvers(), options.threads};
   const auto rays =
       options.rays_file.empty() ? std::vector<geometry::ExactRay>{} : read_rays(options.rays_file);
   if (!options.rays_file.empty() && rays.empty()) {
@@ -108,7 +107,9 @@ void run(const Options& options) {
     SceneOptions one = options.read;
     one.path = path;
     const scene::Scene scene = one.open();
-    censuses.push_back({{path}, scene_census(scene, options, plan, rays, progress_bar(path))});
+    censuses.push_back({{path},
+                        scene_census(scene, options, plan, rays, progress_bar(path)),
+                        replay_options(options.read.read, options.solvers)});
     if (censuses.back().census.interrupted) {
       break;
     }

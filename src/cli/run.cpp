@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <tbb/info.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -39,7 +40,6 @@ experiments::Settings settings_of(const Options& options,
       parse_methods(options.methods.empty() ? experiment.default_methods : options.methods),
       parse_numbers(options.numbers.empty() ? experiment.default_numbers : options.numbers),
       options.solvers.solvers(), options.threads};
-  settings.plan.options = replay_options(options.read.read, options.solvers);
   settings.read = options.read.read;
   settings.rays = options.rays == 0 ? experiment.default_rays : options.rays;
   settings.seed = options.seed;
@@ -64,9 +64,7 @@ census::Record record_of(const Options& options, const experiments::Experiment& 
           {"seed", fmt::format("{}", settings.seed)},
           {"methods", names_of(settings.plan.methods)},
           {"numbers", names_of(settings.plan.numbers)},
-          {"quadratic", options.solvers.quadratic},
-          {"quartic", options.solvers.quartic},
-          {"facets", settings.read.facets ? "yes" : "no"}};
+          {experiments::kOptionsSetting, replay_options(settings.read, options.solvers)}};
 }
 
 census::Record environment() {
@@ -135,7 +133,9 @@ void run_one(const Options& options, const experiments::Experiment& experiment,
   census::RunStore store =
       store_of(folder, record_of(options, experiment, settings), options.resume);
   census::Record session = environment();
-  session.emplace_back("threads", options.threads > 0 ? fmt::format("{}", options.threads) : "all");
+  session.emplace_back(
+      "threads",
+      fmt::format("{}", options.threads > 0 ? options.threads : tbb::info::default_concurrency()));
   store.add_environment(session);
   experiments::run_into(store, series, progress_bar(experiment.name));
   print_tables(experiments::tables_of(experiment, store), options.tables);

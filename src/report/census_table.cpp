@@ -104,21 +104,26 @@ double first_wrong_rate(const census::Cell& cell) {
          static_cast<double>(std::max<std::uint64_t>(1, cell.rays));
 }
 
+struct Replay {
+  const census::Cell* cell;
+  const std::string* options;
+};
+
 // For each method, in the order of the censuses, the cell with the most wrong first hits.
-std::vector<const census::Cell*> cells_to_replay(const std::vector<LabelledCensus>& censuses) {
-  std::vector<const census::Cell*> chosen;
+std::vector<Replay> cells_to_replay(const std::vector<LabelledCensus>& censuses) {
+  std::vector<Replay> chosen;
   for (const LabelledCensus& labelled : censuses) {
     for (const census::Cell& cell : labelled.census.cells) {
       if (!cell.worst) {
         continue;
       }
-      const auto known = std::find_if(chosen.begin(), chosen.end(), [&cell](const auto* other) {
-        return other->method == cell.method;
+      const auto known = std::find_if(chosen.begin(), chosen.end(), [&cell](const Replay& other) {
+        return other.cell->method == cell.method;
       });
       if (known == chosen.end()) {
-        chosen.push_back(&cell);
-      } else if (first_wrong_rate(cell) > first_wrong_rate(**known)) {
-        *known = &cell;
+        chosen.push_back({&cell, &labelled.options});
+      } else if (first_wrong_rate(cell) > first_wrong_rate(*known->cell)) {
+        *known = {&cell, &labelled.options};
       }
     }
   }
@@ -150,11 +155,11 @@ Table census_table(const std::vector<LabelledCensus>& censuses,
                   "carrier, are "
                   "counted apart and not judged; {} of the others meet coincident surfaces.",
                   rays, in_carrier, coincident));
-  for (const census::Cell* cell : cells_to_replay(censuses)) {
+  for (const auto& [cell, options] : cells_to_replay(censuses)) {
     table.notes.push_back(
         fmt::format("To replay: `lamina explain '{}' --ray \"{}\" --methods {} --numbers {}{}`",
                     cell->worst->scene, geometry::to_text(cell->worst->ray), cell->method,
-                    cell->number, cell->worst->options));
+                    cell->number, *options));
   }
   return table;
 }

@@ -1,6 +1,7 @@
 // The census as tables.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "census/census.hpp"
@@ -13,6 +14,7 @@ namespace lamina::report {
 struct LabelledCensus {
   std::vector<census::Label> labels;
   census::Census census;
+  std::string options{};  ///< of the command line that replay its rays, each behind a blank
 };
 
 /// A row for each census, method and number type; artifacts, causes and order as rates of

@@ -6,6 +6,7 @@
 
 #include "scene/families.hpp"
 #include "scene/rays.hpp"
+#include "support/equal_census.hpp"
 #include "support/scenes.hpp"
 
 namespace lamina::census {
@@ -48,33 +49,6 @@ Census run(
   return run_census(plan, tasks, task, [](auto, auto) { return true; });
 }
 
-void expect_equal_counts(const Cell& a, const Cell& b) {
-  SCOPED_TRACE(a.method + " " + a.number);
-  EXPECT_EQ(a.method, b.method);
-  EXPECT_EQ(a.number, b.number);
-  EXPECT_EQ(a.rays, b.rays);
-  EXPECT_EQ(a.with, b.with);
-  EXPECT_EQ(a.caused, b.caused);
-  EXPECT_EQ(a.order_sensitive, b.order_sensitive);
-  EXPECT_EQ(a.most_outcomes, b.most_outcomes);
-  EXPECT_EQ(a.persistence, b.persistence);
-  EXPECT_EQ(a.lamina_fronts, b.lamina_fronts);
-  EXPECT_EQ(a.lamina_fronts_seen, b.lamina_fronts_seen);
-  EXPECT_EQ(a.lamina_backs, b.lamina_backs);
-  EXPECT_EQ(a.lamina_backs_seen, b.lamina_backs_seen);
-  EXPECT_EQ(a.largest.t_ulps, b.largest.t_ulps);
-  EXPECT_EQ(a.largest.point_rel, b.largest.point_rel);
-  EXPECT_EQ(a.largest.normal_rad, b.largest.normal_rad);
-  ASSERT_EQ(a.worst.has_value(), b.worst.has_value());
-  if (a.worst) {
-    EXPECT_EQ(a.worst->scene, b.worst->scene);
-    EXPECT_EQ(a.worst->ray.origin, b.worst->ray.origin);
-    EXPECT_EQ(a.worst->ray.direction, b.worst->ray.direction);
-    EXPECT_EQ(a.worst->artifacts, b.worst->artifacts);
-    EXPECT_EQ(a.worst->wrong_length, b.worst->wrong_length);
-  }
-}
-
 TEST(CensusTest, IsBitIdenticalForAnyNumberOfThreads) {
   constexpr std::size_t kTasks = kTasksPerBlock + 8;
   const auto task = [](std::size_t i) { return task_of(i, 0, 2); };
@@ -87,7 +61,7 @@ TEST(CensusTest, IsBitIdenticalForAnyNumberOfThreads) {
     EXPECT_EQ(one.with_coincidence, other.with_coincidence);
     ASSERT_EQ(one.cells.size(), other.cells.size());
     for (std::size_t c = 0; c < one.cells.size(); ++c) {
-      expect_equal_counts(one.cells[c], other.cells[c]);
+      support::expect_equal_counts(one.cells[c], other.cells[c]);
       EXPECT_EQ(one.cells[c].wrong_length, other.cells[c].wrong_length);
       wrong += one.cells[c][Artifact::FirstWrong];
     }
@@ -104,7 +78,7 @@ TEST(CensusTest, DoesNotDependOnHowRaysAreCutIntoTasks) {
   EXPECT_EQ(whole.in_carrier, parts.in_carrier);
   EXPECT_EQ(whole.with_coincidence, parts.with_coincidence);
   for (std::size_t c = 0; c < whole.cells.size(); ++c) {
-    expect_equal_counts(whole.cells[c], parts.cells[c]);
+    support::expect_equal_counts(whole.cells[c], parts.cells[c]);
     EXPECT_NEAR(whole.cells[c].wrong_length, parts.cells[c].wrong_length,
                 1e-12 * whole.cells[c].wrong_length);
   }
@@ -163,7 +137,7 @@ TEST(CensusTest, BlocksOfTasksAddUpToTheWhole) {
   EXPECT_EQ(sum.in_carrier, whole.in_carrier);
   EXPECT_EQ(sum.with_coincidence, whole.with_coincidence);
   for (std::size_t c = 0; c < whole.cells.size(); ++c) {
-    expect_equal_counts(sum.cells[c], whole.cells[c]);
+    support::expect_equal_counts(sum.cells[c], whole.cells[c]);
   }
   ASSERT_EQ(sum.pairs.size(), whole.pairs.size());
   for (std::size_t p = 0; p < whole.pairs.size(); ++p) {
