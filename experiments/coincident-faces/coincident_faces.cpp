@@ -19,7 +19,7 @@ Experiment coincident_faces() {
           .question = "What does each method see where two or three solids share faces?",
           .source = "Wyvill and Trotman 1990, sections 1 to 3",
           .labels = {aim_column()},
-          .default_rays = 10'000,
+          .default_rays = 8'000,
           .series = series};
 }
 

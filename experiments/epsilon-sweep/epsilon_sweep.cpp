@@ -115,7 +115,7 @@ Experiment epsilon_sweep() {
           .labels = {{"scene", "scene",
                       "shared faces: coincident-faces; gap of 1e-5 between two solids; thin wall: "
                       "W&T Figure 9; small and large: coincident-faces times 1e-4 and 1e4."}},
-          .default_rays = 5'000,
+          .default_rays = 4'000,
           .default_methods = "epsilon",
           .default_numbers = "float,double,exact",
           .series = series,

@@ -73,7 +73,7 @@ Experiment far_origin() {
                       "translated by 10^k along each axis; seen from 10^k away; scaled by 10^k: "
                       "members of coincident-faces, uniform rays."},
                      {"k", "k", "Power of ten."}},
-          .default_rays = 24'000,
+          .default_rays = 15'000,
           .default_numbers = "float,double,bin113,exact",
           .series = series};
 }

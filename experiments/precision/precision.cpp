@@ -64,7 +64,7 @@ Experiment precision() {
                       "by 1e-9 to 1e-10; uniform and shared faces: coincident-faces, rays at the "
                       "box and at shared faces; caps in one plane: W&T Figure 4; scaled lamina: "
                       "a sphere less itself with its equation times 3."}},
-          .default_rays = 18'000,
+          .default_rays = 15'000,
           .default_numbers = "bin11,bin24,bin53,bin64,bin113,bin237,exact",
           .series = series,
           .tables = tables};

@@ -159,7 +159,7 @@ Experiment real_models() {
                      {"model", "model", ""},
                      {"leaves", "leaves", "Half-spaces of the model."},
                      {"shared", "shared", "Carriers that two leaves or more have."}},
-          .default_rays = 22'000,
+          .default_rays = 17'600,
           .default_numbers = "float,double,exact",
           .series = series,
           .tables = tables};
