@@ -14,10 +14,23 @@ report::Table artifact_table(const Experiment& experiment,
 }
 
 const std::vector<Experiment>& all_experiments() {
-  static const std::vector<Experiment> all{
-      coincident_faces(), ghost_cylinders(), self_sum(),      self_difference(), touching_stack(),
-      thin_wall(),        epsilon_gap(),     epsilon_sweep(), precision(),       far_origin(),
-      start_state(),      near_tangent(),    order(),         four_cases(),      real_models()};
+  static const std::vector<Experiment> all{coincident_faces(),
+                                           ghost_cylinders(),
+                                           self_sum(),
+                                           self_difference(),
+                                           touching_stack(),
+                                           thin_wall(),
+                                           epsilon_gap(),
+                                           epsilon_sweep(),
+                                           precision(),
+                                           far_origin(),
+                                           start_state(),
+                                           near_tangent(),
+                                           order(),
+                                           four_cases(),
+                                           coincident_reflection(),
+                                           coincident_glass(),
+                                           real_models()};
   return all;
 }
 

@@ -6,6 +6,8 @@
 namespace lamina::experiments {
 
 Experiment coincident_faces();
+Experiment coincident_glass();
+Experiment coincident_reflection();
 Experiment epsilon_gap();
 Experiment epsilon_sweep();
 Experiment far_origin();

@@ -48,6 +48,40 @@ Series family_series(std::vector<census::Label> labels, const std::string& famil
           static_cast<std::size_t>((rays + rays_per_scene - 1) / rays_per_scene), task};
 }
 
+Series spawned_series(std::vector<census::Label> labels, const std::string& family, const Aim& aim,
+                      const std::vector<trace::Spawn>& spawns, std::uint64_t rays,
+                      const Settings& settings, std::uint64_t rays_per_scene) {
+  Series series = family_series(std::move(labels), family, aim, rays, settings, rays_per_scene);
+  std::erase_if(series.plan.numbers, [](const trace::NumberChoice& n) { return !n.make_path; });
+  series.task = [make = std::move(series.task), spawns](std::size_t index) {
+    census::Task task = make(index);
+    task.spawns = spawns;
+    return task;
+  };
+  return series;
+}
+
+std::vector<report::Table> spawned_tables(const Experiment& experiment,
+                                          const std::vector<report::LabelledCensus>& counted) {
+  return {report::spawned_table(counted, experiment.labels, experiment.name)};
+}
+
+Aim above_patch_aim() {
+  return {"above",
+          [](const scene::FamilyMember& member, const scene::Scene&, base::SeededStream& stream) {
+            constexpr double kDistance = 10;
+            const auto& patch = member.patches[stream.below(member.patches.size())];
+            const double u = stream.unit();
+            const double v = stream.unit();
+            const auto target = patch.corner + u * patch.side1 + v * patch.side2;
+            auto towards = scene::random_direction(stream);
+            if (dot(towards, cross(patch.side1, patch.side2)) < 0) {
+              towards = -1.0 * towards;
+            }
+            return scene::ray_from(target + kDistance * towards, target, scene::Held::Float);
+          }};
+}
+
 std::vector<Series> series_of(const std::vector<Subject>& subjects, const Settings& settings) {
   std::vector<Series> all;
   for (const Subject& subject : subjects) {

@@ -35,6 +35,20 @@ Series family_series(std::vector<census::Label> labels, const std::string& famil
                      std::uint64_t rays, const Settings& settings,
                      std::uint64_t rays_per_scene = 20);
 
+/// The same rays, each followed along a path of spawned ones, the last of which is judged, in the
+/// number types that have spawned rays.
+Series spawned_series(std::vector<census::Label> labels, const std::string& family, const Aim& aim,
+                      const std::vector<trace::Spawn>& spawns, std::uint64_t rays,
+                      const Settings& settings, std::uint64_t rays_per_scene = 100);
+
+/// The table of an experiment on spawned rays.
+std::vector<report::Table> spawned_tables(const Experiment& experiment,
+                                          const std::vector<report::LabelledCensus>& counted);
+
+/// At a uniformly random point of a patch, from the side that its normal side1 x side2 points
+/// to, in a uniformly random direction.
+Aim above_patch_aim();
+
 /// A family as it is called in tables, and where its rays go.
 struct Subject {
   std::string label;

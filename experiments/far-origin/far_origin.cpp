@@ -6,6 +6,7 @@
 
 #include "experiments/all_experiments.hpp"
 #include "experiments/family_series.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::experiments {
 namespace {
@@ -53,7 +54,7 @@ std::vector<Series> series(const Settings& settings) {
                         in_float ? scene::Held::Float : scene::Held::Double),
         settings.rays / kinds().size(), settings);
     if (!in_float) {
-      std::erase_if(one.plan.numbers, [](const method::NumberChoice& number) {
+      std::erase_if(one.plan.numbers, [](const trace::NumberChoice& number) {
         return number.significand_bits > 0 &&
                number.significand_bits < std::numeric_limits<double>::digits;
       });

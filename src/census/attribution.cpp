@@ -1,4 +1,5 @@
 #include "census/attribution.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 namespace {
@@ -48,7 +49,7 @@ struct Attribution::Levels {
 
 Attribution::Attribution(const scene::Scene& scene, const Truth& truth,
                          const std::vector<method::Method>& methods,
-                         const std::vector<method::NumberChoice>& numbers)
+                         const std::vector<trace::NumberChoice>& numbers)
     : scene_(scene), truth_(truth), methods_(methods), numbers_(numbers), levels_(numbers.size()) {}
 
 Attribution::~Attribution() = default;
@@ -61,7 +62,7 @@ void Attribution::find(const geometry::ExactRay& ray) {
 
 // Runs the method on a level; false for a right first interface. The ray is rounded to the
 // number type, if one is given.
-bool Attribution::wrong(Level& level, std::size_t method, const method::NumberChoice* number) {
+bool Attribution::wrong(Level& level, std::size_t method, const trace::NumberChoice* number) {
   if (level.found != ray_number_) {
     geometry::ExactRay ray = ray_;
     if (number != nullptr) {
@@ -114,7 +115,7 @@ Cause Attribution::cause(std::size_t method, std::size_t number) {
     return Cause::Model;
   }
   Levels& levels = levels_of(number);
-  const method::NumberChoice* const choice = &numbers_[number];
+  const trace::NumberChoice* const choice = &numbers_[number];
   if (!levels.representation || wrong(*levels.representation, method, choice)) {
     return Cause::Representation;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "census/verdict.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 
@@ -37,7 +38,7 @@ class Attribution {
  public:
   Attribution(const scene::Scene& scene, const Truth& truth,
               const std::vector<method::Method>& methods,
-              const std::vector<method::NumberChoice>& numbers);
+              const std::vector<trace::NumberChoice>& numbers);
   ~Attribution();
   Attribution(const Attribution&) = delete;
   Attribution& operator=(const Attribution&) = delete;
@@ -58,13 +59,13 @@ class Attribution {
 
   Level& ideal();
   bool wrong_on_ideal(std::size_t method);
-  bool wrong(Level& level, std::size_t method, const method::NumberChoice* number);
+  bool wrong(Level& level, std::size_t method, const trace::NumberChoice* number);
   Levels& levels_of(std::size_t number);
 
   const scene::Scene& scene_;
   const Truth& truth_;
   const std::vector<method::Method>& methods_;
-  const std::vector<method::NumberChoice>& numbers_;
+  const std::vector<trace::NumberChoice>& numbers_;
   geometry::ExactRay ray_;
   std::uint64_t ray_number_ = 0;
   std::unique_ptr<Level> ideal_;

@@ -8,13 +8,15 @@
 #include <memory>
 
 #include "census/order.hpp"
+#include "census/spawned_census.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 
 Census empty_census(const Plan& plan) {
   Census census;
   for (const method::Method& method : plan.methods) {
-    for (const method::NumberChoice& number : plan.numbers) {
+    for (const trace::NumberChoice& number : plan.numbers) {
       Cell cell;
       cell.method = method.name;
       cell.number = number.name;
@@ -22,7 +24,7 @@ Census empty_census(const Plan& plan) {
       census.cells.push_back(std::move(cell));
     }
   }
-  for (const method::NumberChoice& number : plan.numbers) {
+  for (const trace::NumberChoice& number : plan.numbers) {
     for (std::size_t a = 0; a < plan.methods.size(); ++a) {
       for (std::size_t b = a + 1; b < plan.methods.size(); ++b) {
         census.pairs.push_back({number.name, plan.methods[a].name, plan.methods[b].name});
@@ -58,7 +60,7 @@ class TaskRun {
         orders_(task.scene, plan.random_orders),
         wrong_(plan.methods.size()),
         reports_(plan.methods.size()) {
-    for (const method::NumberChoice& number : plan.numbers) {
+    for (const trace::NumberChoice& number : plan.numbers) {
       auto tracer = number.make_tracer(task.scene, plan.solvers);
       const method::Tracer& made = *tracer;
       lanes_.push_back({std::move(tracer), Judge(truth_, made, task.scene.leaves.size())});
@@ -175,6 +177,8 @@ void Cell::add(const Verdict& verdict) {
 
 void Cell::merge(const Cell& later) {
   rays += later.rays;
+  not_spawned += later.not_spawned;
+  undecided += later.undecided;
   for (std::size_t a = 0; a < kArtifactCount; ++a) {
     with[a] += later.with[a];
   }
@@ -220,7 +224,7 @@ Census run_tasks(const Plan& plan, std::size_t first, std::size_t last, const Ta
   std::vector<Census> parts(last - first);
   tbb::parallel_for(first, last, [&](std::size_t i) {
     const Task made = task(i);
-    parts[i - first] = TaskRun(plan, made).run();
+    parts[i - first] = made.spawns.empty() ? TaskRun(plan, made).run() : run_spawned(plan, made);
   });
   Census census = empty_census(plan);
   for (const Census& part : parts) {

@@ -11,13 +11,14 @@
 #include "census/attribution.hpp"
 #include "census/verdict.hpp"
 #include "method/tracer.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 
 /// What is run: every method in every number type on the same rays.
 struct Plan {
   std::vector<method::Method> methods;
-  std::vector<method::NumberChoice> numbers;
+  std::vector<trace::NumberChoice> numbers;
   poly::Solvers solvers;
   int threads = 0;                   ///< 0: as many as the machine has
   std::uint32_t random_orders = 24;  ///< of the leaves, where too many tie to try all orders
@@ -36,7 +37,9 @@ struct Cell {
   std::string method;
   std::string number;
   int significand_bits = 0;
-  std::uint64_t rays = 0;                            ///< judged: those in no carrier
+  std::uint64_t rays = 0;         ///< judged: those in no carrier
+  std::uint64_t not_spawned = 0;  ///< paths that were wrong, or ended, before the ray to judge
+  std::uint64_t undecided = 0;    ///< spawned rays whose truth no precision tried has decided
   std::array<std::uint64_t, kArtifactCount> with{};  ///< rays with at least one of each artifact
   std::array<std::uint64_t, kCauseCount> caused{};   ///< rays that are first wrong, by cause
   std::uint64_t order_sensitive = 0;                 ///< rays whose answer hangs on leaf order
@@ -89,6 +92,9 @@ using Label = std::variant<std::string, std::uint64_t, double>;
 struct Task {
   scene::Scene scene;
   std::vector<geometry::ExactRay> rays;
+  /// What each ray spawns in turn, at first interfaces. The last one spawned is judged, if the
+  /// method is right on those before it; if there are none, the ray itself.
+  std::vector<trace::Spawn> spawns{};
 };
 using TaskMaker = std::function<Task(std::size_t)>;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kFile = "run.sqlite";
 constexpr int kApplication = 0x4C414D49;  // "LAMI"
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 
 // Every number of a cell and what it is called: the one list that the schema, writing and
 // reading follow. CellType is Cell or const Cell.
@@ -23,6 +23,8 @@ template <typename CellType, typename Visit>
 void each_number(CellType& cell, Visit visit) {
   visit("bits", cell.significand_bits);
   visit("rays", cell.rays);
+  visit("not_spawned", cell.not_spawned);
+  visit("undecided", cell.undecided);
   for (std::size_t a = 0; a < kArtifactCount; ++a) {
     visit(artifact_texts()[a].name, cell.with[a]);
   }

@@ -54,6 +54,8 @@ const std::array<ArtifactText, kArtifactCount>& artifact_texts() {
       {"wrong_count", "wrong count", "Some leaf has another number of crossings than in truth."},
       {"wrong_parity", "wrong parity",
        "Some leaf's number of crossings differs from the truth's by an odd number."},
+      {"self_intersection", "self-intersection",
+       "The first interface of a spawned ray is the surface that it starts on, where it starts."},
   }};
   return texts;
 }

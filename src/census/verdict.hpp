@@ -15,22 +15,23 @@ namespace lamina::census {
 
 /// What is counted. A table counts the rays that have at least one of each.
 enum class Artifact : std::uint8_t {
-  FirstWrong,      ///< the first visible interface is not the truth's: what a picture shows
-  MissedSolver,    ///< a missed hit: a root of an owner was not found
-  MissedLogic,     ///< a missed hit: all roots of the owners found, none accepted
-  MissedRange,     ///< a missed hit: found, but not at t > 0
-  EpsilonHole,     ///< a missed hit that the method misses in exact arithmetic too
-  GhostHit,        ///< an interface reported where the truth has none
-  GhostSurface,    ///< right class, but the reported leaf is not in its owner set
-  WrongInterface,  ///< right class, but from or to differ
-  GhostMaterial,   ///< empty called a material on an exact open interval
-  Void,            ///< a material called empty
-  WrongMedium,     ///< a material called another
-  Inconsistent,    ///< an enter while IN, a leave while OUT, or a wrong medium at the end
-  WrongCount,      ///< a leaf with a wrong number of crossings
-  WrongParity,     ///< a leaf with a wrong number of crossings, odd for even
+  FirstWrong,        ///< the first visible interface is not the truth's: what a picture shows
+  MissedSolver,      ///< a missed hit: a root of an owner was not found
+  MissedLogic,       ///< a missed hit: all roots of the owners found, none accepted
+  MissedRange,       ///< a missed hit: found, but not at t > 0
+  EpsilonHole,       ///< a missed hit that the method misses in exact arithmetic too
+  GhostHit,          ///< an interface reported where the truth has none
+  GhostSurface,      ///< right class, but the reported leaf is not in its owner set
+  WrongInterface,    ///< right class, but from or to differ
+  GhostMaterial,     ///< empty called a material on an exact open interval
+  Void,              ///< a material called empty
+  WrongMedium,       ///< a material called another
+  Inconsistent,      ///< an enter while IN, a leave while OUT, or a wrong medium at the end
+  WrongCount,        ///< a leaf with a wrong number of crossings
+  WrongParity,       ///< a leaf with a wrong number of crossings, odd for even
+  SelfIntersection,  ///< a spawned ray hits the surface that it starts on, at s = 0
 };
-inline constexpr std::size_t kArtifactCount = 14;
+inline constexpr std::size_t kArtifactCount = 15;
 
 struct ArtifactText {
   std::string_view name;        ///< as in CSV and JSON

@@ -6,6 +6,8 @@
 #include "cli/registry.hpp"
 #include "experiments/experiment.hpp"
 #include "scene/families.hpp"
+#include "trace/number_choice.hpp"
+#include "trace/spawn.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -15,7 +17,7 @@ void print(const std::string& name, const std::string& meaning) {
 }
 
 void list_numbers() {
-  for (const method::NumberChoice& number : all_numbers()) {
+  for (const trace::NumberChoice& number : all_numbers()) {
     print(number.name, number.significand_bits == 0
                            ? "rational coefficients, real algebraic roots"
                            : fmt::format("{} significand bits", number.significand_bits));
@@ -33,6 +35,11 @@ void add_list(CLI::App& app) {
     }
   });
   command->add_subcommand("numbers", "number types")->callback(list_numbers);
+  command->add_subcommand("spawns", "where spawned rays start")->callback([] {
+    for (const trace::SpawnHelp& help : trace::spawn_help()) {
+      print(help.spelling, help.meaning);
+    }
+  });
   command->add_subcommand("experiments", "for `lamina run`")->callback([] {
     for (const experiments::Experiment& e : experiments::all_experiments()) {
       print(e.name, e.question);

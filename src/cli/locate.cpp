@@ -8,6 +8,7 @@
 #include "cli/options.hpp"
 #include "cli/parallel_lines.hpp"
 #include "method/locate.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -36,7 +37,7 @@ std::string line_of(const scene::Scene& scene, const method::Location& location,
 void run(const Options& options) {
   const scene::Scene scene = options.scene.open();
   const auto points = read_points(options.points);
-  const method::NumberChoice number = parse_number(options.number);
+  const trace::NumberChoice number = parse_number(options.number);
   const bool exact = number.significand_bits == 0;
   print_lines(
       points.size(), [&] { return exact ? nullptr : number.make_tracer(scene, {}); },

@@ -13,6 +13,7 @@
 #include "geometry/ray_text.hpp"
 #include "report/explain.hpp"
 #include "report/symptom.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -40,7 +41,7 @@ std::string commented(const std::string& text) {
 std::string document(const Options& options, const census::Case& small,
                      const report::Symptom& symptom, std::size_t leaves_before,
                      std::span<const method::Method> methods,
-                     std::span<const method::NumberChoice> numbers, const poly::Solvers& solvers) {
+                     std::span<const trace::NumberChoice> numbers, const poly::Solvers& solvers) {
   const std::string file = options.out.empty() ? "FILE" : fmt::format("'{}'", options.out);
   std::string text = fmt::format("// {} in {}: {}\n// leaves: {} of the {} of {}\n",
                                  methods[0].name, numbers[0].name, report::text_of(symptom),

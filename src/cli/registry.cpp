@@ -6,6 +6,7 @@
 
 #include "base/contract.hpp"
 #include "number/all_numbers.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -22,14 +23,14 @@ std::vector<std::string> split(const std::string& text) {
 
 }  // namespace
 
-const std::vector<method::NumberChoice>& all_numbers() {
-#define LAMINA_CHOICE(Number) method::number_choice<Number>(),
-  static const std::vector<method::NumberChoice> all{LAMINA_FOR_EACH_NUMBER(LAMINA_CHOICE)};
+const std::vector<trace::NumberChoice>& all_numbers() {
+#define LAMINA_CHOICE(Number) trace::number_choice<Number>(),
+  static const std::vector<trace::NumberChoice> all{LAMINA_FOR_EACH_NUMBER(LAMINA_CHOICE)};
 #undef LAMINA_CHOICE
   return all;
 }
 
-method::NumberChoice parse_number(const std::string& text) {
+trace::NumberChoice parse_number(const std::string& text) {
   std::string name = text;  // bin<24> is bin24
   std::erase_if(name, [](char c) { return c == '<' || c == '>'; });
   const auto& all = all_numbers();
@@ -46,11 +47,11 @@ method::NumberChoice parse_number(const std::string& text) {
   return *found;
 }
 
-std::vector<method::NumberChoice> parse_numbers(const std::string& text) {
+std::vector<trace::NumberChoice> parse_numbers(const std::string& text) {
   if (text == "all") {
     return all_numbers();
   }
-  std::vector<method::NumberChoice> numbers;
+  std::vector<trace::NumberChoice> numbers;
   for (const std::string& name : split(text)) {
     numbers.push_back(parse_number(name));
   }

@@ -7,17 +7,18 @@
 #include "method/method.hpp"
 #include "method/tracer.hpp"
 #include "poly/line_roots.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::cli {
 
 /// Every number type, in the order of number/all_numbers.hpp.
-const std::vector<method::NumberChoice>& all_numbers();
+const std::vector<trace::NumberChoice>& all_numbers();
 
 /// `double`, `bin24` or `bin<24>`, ... Throws base::InputError that lists them.
-method::NumberChoice parse_number(const std::string& text);
+trace::NumberChoice parse_number(const std::string& text);
 
 /// Names separated by commas, or `all`.
-std::vector<method::NumberChoice> parse_numbers(const std::string& text);
+std::vector<trace::NumberChoice> parse_numbers(const std::string& text);
 
 /// Spellings separated by commas, or `all`: the five methods, epsilon at the tolerance that
 /// stands in kAllMethods. A bare `epsilon` takes it too: outputs always state it.

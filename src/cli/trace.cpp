@@ -7,6 +7,7 @@
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/parallel_lines.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -53,7 +54,7 @@ void run(const Options& options) {
   const auto rays = read_rays(options.rays);
   const method::Method method =
       options.truth ? method::regularized() : parse_method(options.method);
-  const method::NumberChoice number = parse_number(options.truth ? "exact" : options.number);
+  const trace::NumberChoice number = parse_number(options.truth ? "exact" : options.number);
   const poly::Solvers solvers = options.solvers.solvers();
   print_lines(
       rays.size(),

@@ -16,6 +16,26 @@ struct IgnoreEvents {
   void operator()(const EventRecord&) const {}
 };
 
+/// What a ray that is spawned takes over, by leaf; leaves that it does not take over, and all
+/// of a primary ray's, are classified along the ray.
+struct Inherited {
+  static constexpr std::uint8_t kOutside = 0;
+  static constexpr std::uint8_t kInside = 1;
+  static constexpr std::uint8_t kAnew = 2;
+
+  std::span<const std::uint8_t> states;  ///< empty: all anew
+
+  [[nodiscard]] bool takes(csg::LeafIndex leaf) const {
+    return !states.empty() && states[leaf] != kAnew;
+  }
+};
+
+/// Which leaves changed at a hit: enough to have the state before it from the one after it.
+struct Hit {
+  std::vector<csg::LeafIndex> group;   ///< events processed at once, in order
+  std::vector<csg::LeafIndex> passed;  ///< then crossed by the look-ahead of W&T 3.6
+};
+
 /// Goes along one ray and fills the report: a method's parts decide what is done at once,
 /// what a leaf's state is, and which events count. Allocates nothing once `report` and
 /// `state` have seen a ray.
@@ -31,6 +51,12 @@ class Classifier {
         state_(state),
         report_(report),
         on_event_(on_event) {}
+
+  /// Only the crossings ahead count for leaves that the ray has taken over.
+  void inherit(Inherited inherited) { inherited_ = inherited; }
+
+  /// Ends the ray at its first interface, where `hit` and the state are left as it goes on.
+  void stop_at(Hit& hit) { hit_ = &hit; }
 
   void run(const Method& method, const Number& step, const Number& reference) {
     report_.clear();
@@ -66,11 +92,16 @@ class Classifier {
   }
 
   // Updates the event's leaf. Returns whether the medium of the whole changed.
-  bool cross(const Method& method, std::size_t i, std::uint32_t group) {
+  bool cross(const Method& method, std::size_t i, std::uint32_t group,
+             std::vector<csg::LeafIndex> Hit::*changed) {
     const Crossing<Number>& crossing = crossings_[i];
+    if (!ahead(i) && inherited_.takes(crossing.leaf)) {
+      return false;
+    }
     const bool in = enters(method, crossing);
     const csg::Medium before = state_.medium();
-    const bool consistent = state_.inside(crossing.leaf) != in;
+    const bool was_inside = state_.inside(crossing.leaf);
+    const bool consistent = was_inside != in;
     const bool accepted = consistent || method.check == Check::None;
     if (accepted) {
       if (method.status == Status::Carried) {
@@ -78,6 +109,9 @@ class Classifier {
       } else {
         state_.toggle(crossing.leaf);
       }
+    }
+    if (accepted && hit_ != nullptr && state_.inside(crossing.leaf) != was_inside) {
+      (hit_->*changed).push_back(crossing.leaf);
     }
     if (!consistent && ahead(i)) {
       ++report_.inconsistent;
@@ -106,30 +140,61 @@ class Classifier {
     return medium != csg::kEmpty && scene_.materials[medium].opaque();
   }
 
+  // W&T 3.6: crosses what the point of the crossing `hit` has already passed. `end` is one past
+  // the last crossing that is done, and moves on.
+  void look_ahead(const Method& method, std::size_t first, std::size_t hit, std::size_t& end,
+                  std::uint32_t group) {
+    if (method.look_ahead == LookAhead::Literal) {
+      while (end < crossings_.size() && !stops_ray(state_.medium()) && is_additional(first, end) &&
+             passed(method, hit, end)) {
+        cross(method, end++, group, &Hit::passed);
+      }
+      return;
+    }
+    done_.resize(crossings_.size());
+    for (std::size_t i = end; i < crossings_.size() && !stops_ray(state_.medium()); ++i) {
+      if (done_[i] == 0 && is_additional(first, i) && passed(method, hit, i)) {
+        cross(method, i, group, &Hit::passed);
+        done_[i] = 1;
+      }
+    }
+  }
+
   void run_carried(const Method& method, const Number& step, const Number& reference) {
-    state_.reset([&](csg::LeafIndex leaf) { return events_.starts_inside(leaf, reference); });
+    state_.reset([&](csg::LeafIndex leaf) {
+      return inherited_.takes(leaf) ? inherited_.states[leaf] == Inherited::kInside
+                                    : events_.starts_inside(leaf, reference);
+    });
     report_.start = state_.medium();
     std::uint32_t group = 0;
     for (std::size_t first = 0; first < crossings_.size(); ++group) {
+      if (first < done_.size() && done_[first] != 0) {
+        ++first;
+        continue;
+      }
+      if (hit_ != nullptr) {
+        hit_->group.clear();
+        hit_->passed.clear();
+      }
       std::size_t end = group_end(method, first, step);
       const csg::Medium from = state_.medium();
       std::size_t surface = first;
       for (std::size_t i = first; i < end; ++i) {
-        if (cross(method, i, group) && method.surface == Surface::LastChange) {
+        if (cross(method, i, group, &Hit::group) && method.surface == Surface::LastChange) {
           surface = i;
         }
       }
-      if (method.look_ahead == LookAhead::Literal && state_.medium() != from) {
-        while (end < crossings_.size() && !stops_ray(state_.medium()) &&
-               is_additional(first, end) && passed(method, surface, end)) {
-          cross(method, end++, group);
-        }
+      if (method.look_ahead != LookAhead::None && state_.medium() != from) {
+        look_ahead(method, first, surface, end, group);
       }
       const csg::Medium to = state_.medium();
       if (!ahead(first)) {
         report_.start = to;
       } else if (from != to && events_.finite(crossings_[surface].t)) {
         report_.interfaces.push_back({static_cast<std::uint32_t>(surface), {from, to}});
+        if (hit_ != nullptr) {
+          break;
+        }
       }
       first = end;
     }
@@ -164,6 +229,9 @@ class Classifier {
       if (transition.from != transition.to) {
         report_.interfaces.push_back({static_cast<std::uint32_t>(i), transition});
         report_.end = transition.to;
+        if (hit_ != nullptr) {
+          break;
+        }
       }
     }
   }
@@ -174,6 +242,9 @@ class Classifier {
   csg::RayState& state_;
   Report& report_;
   OnEvent on_event_;
+  Inherited inherited_;
+  Hit* hit_ = nullptr;
+  std::vector<std::uint8_t> done_;  // by crossing, where LookAhead::All has been
 };
 
 }  // namespace lamina::method

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "base/contract.hpp"
 
@@ -33,7 +35,8 @@ Method wyvill_trotman() {
           .status = Status::Carried,
           .check = Check::Validity,
           .sense = Sense::Normal,
-          .look_ahead = LookAhead::Literal};
+          .look_ahead = LookAhead::Literal,
+          .secondary = Secondary::Inherit};
 }
 
 std::vector<MethodHelp> method_help() {
@@ -46,9 +49,22 @@ std::vector<MethodHelp> method_help() {
       {"wyvill-trotman", "one at a time, state carried and checked (Wyvill and Trotman 1990)"},
       {"wyvill-trotman:parity", "the same, entering and leaving from root parity"},
       {"wyvill-trotman:no-look-ahead", "the same, without their section 3.6"},
+      {"wyvill-trotman:look-ahead-all", "the same, their 3.6 for all later surfaces"},
       {"wyvill-trotman:reference:D", "the same, started a length D before a leaf (section 3.7)"},
+      {"wyvill-trotman:secondary:S", "spawned rays' states: inherit, parity, hybrid, cluster"},
+      {"wyvill-trotman:keeps-hit-leaf", "the same, 3.4's hit leaf not set back for reflection"},
   };
 }
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Secondary>, 4> kSecondaries{
+    {{"inherit", Secondary::Inherit},
+     {"parity", Secondary::Parity},
+     {"hybrid", Secondary::Hybrid},
+     {"cluster", Secondary::Cluster}}};
+
+}  // namespace
 
 Method parse_method(std::string_view text) {
   std::vector<std::string> parts;
@@ -92,17 +108,33 @@ Method parse_method(std::string_view text) {
     fail("unknown");
   }
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (result.check == Check::Validity && parts[i] == "parity") {
+    const std::string& part = parts[i];
+    if (result.check != Check::Validity) {
+      fail(fmt::format("unknown variant '{}'", part));
+    } else if (part == "parity") {
       result.sense = Sense::Parity;
-    } else if (result.check == Check::Validity && parts[i] == "no-look-ahead") {
+    } else if (part == "no-look-ahead") {
       result.look_ahead = LookAhead::None;
-    } else if (result.check == Check::Validity && parts[i] == "reference") {
+    } else if (part == "look-ahead-all") {
+      result.look_ahead = LookAhead::All;
+    } else if (part == "keeps-hit-leaf") {
+      result.keeps_hit_leaf = true;
+    } else if (part == "reference") {
       result.reference = ++i < parts.size() ? number::parse_rational(parts[i]) : 0;
       if (result.reference.sign() <= 0) {
         fail("state the reference point's distance, as in wyvill-trotman:reference:1e6");
       }
+    } else if (part == "secondary") {
+      const std::string_view source = ++i < parts.size() ? parts[i] : std::string_view();
+      const auto found =
+          std::find_if(kSecondaries.begin(), kSecondaries.end(),
+                       [source](const auto& known) { return known.first == source; });
+      if (found == kSecondaries.end()) {
+        fail("state where the states come from, as in wyvill-trotman:secondary:cluster");
+      }
+      result.secondary = found->second;
     } else {
-      fail(fmt::format("unknown variant '{}'", parts[i]));
+      fail(fmt::format("unknown variant '{}'", part));
     }
   }
   result.name = std::string(text);

@@ -45,6 +45,17 @@ enum class Sense : std::uint8_t {
 enum class LookAhead : std::uint8_t {
   None,
   Literal,  ///< the next one, and so on until one is not passed or the ray is stopped
+  All,      ///< every later one, whatever is between, until the ray is stopped
+};
+
+/// Where the leaf states of a spawned ray come from.
+enum class Secondary : std::uint8_t {
+  Parity,   ///< each ray anew, from its crossings behind the start (W&T 3.7)
+  Inherit,  ///< all from the ray before it, as it was at the hit (W&T 3.3, 3.5)
+  Hybrid,   ///< the hit leaf's from the ray before it, the others' anew
+  /// All from the ray before it: reflected and shadow rays as it was before the class of
+  /// exactly coincident events at the hit, transmitted ones as it is after that class.
+  Cluster,
 };
 
 /// One way of deciding what a ray sees.
@@ -56,6 +67,10 @@ struct Method {
   Check check = Check::None;
   Sense sense = Sense::Parity;
   LookAhead look_ahead = LookAhead::None;
+  Secondary secondary = Secondary::Parity;
+  /// Do reflected and shadow rays take the hit leaf as the hit has left it? W&T 3.4 say that it
+  /// "has already been updated", and that these rays start outside: both only if it is set back.
+  bool keeps_hit_leaf = false;
   number::Rational epsilon{0};    ///< for WithinEpsilon; always stated, never a default
   bool relative_epsilon = false;  ///< a multiple of the group's |t|, not a length
   /// Where a carried state starts: 0, from the sign of f at t = -infinity; else from an inside
@@ -78,7 +93,9 @@ Method wyvill_trotman();
 /// Returns the method that the text spells:
 ///   roth | wyvill-sharp | regularized
 ///   epsilon:E | epsilon:E:relative      E a length, or a multiple of |t|
-///   wyvill-trotman[:parity][:no-look-ahead][:reference:D]     D a length
+///   wyvill-trotman[:parity][:no-look-ahead | :look-ahead-all][:reference:D]     D a length
+///                 [:secondary:inherit | :secondary:parity | :secondary:hybrid |
+///                  :secondary:cluster][:keeps-hit-leaf]
 /// Throws base::InputError that lists these.
 Method parse_method(std::string_view text);
 

@@ -1,7 +1,6 @@
 // Traces rays through a scene in one number type, by any method.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,7 +11,7 @@
 #include "number/algebraic.hpp"
 #include "number/concepts.hpp"
 #include "poly/line_roots.hpp"
-#include "scene/rounding.hpp"
+#include "scene/scene.hpp"
 
 namespace lamina::method {
 
@@ -59,21 +58,7 @@ class Tracer {
   [[nodiscard]] virtual csg::Medium medium_at(const geometry::ExactPoint& point) const = 0;
 };
 
-/// A number type without its type: what tables and the program choose from.
-struct NumberChoice {
-  std::string name;
-  int significand_bits = 0;  ///< 0 for exact types
-  std::function<std::unique_ptr<Tracer>(const scene::Scene&, const poly::Solvers&)> make_tracer;
-  scene::Rounding round;
-};
-
 template <number::RealNumber Number>
 std::unique_ptr<Tracer> make_tracer(const scene::Scene& scene, const poly::Solvers& solvers);
-
-template <number::RealNumber Number>
-NumberChoice number_choice() {
-  using Traits = number::number_traits<Number>;
-  return {Traits::name(), Traits::kSignificandBits, make_tracer<Number>, scene::rounding<Number>};
-}
 
 }  // namespace lamina::method

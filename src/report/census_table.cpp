@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <string_view>
 
 #include "census/statistics.hpp"
 #include "geometry/ray_text.hpp"
@@ -21,6 +23,12 @@ std::vector<Column> columns(const std::vector<Column>& label_columns) {
               {"rays", "rays", "Rays that were judged: those that lie in no carrier.", true},
               {"coincident", "coincident",
                "Of them, those that meet an exact class of two leaves or more.", true}});
+  all.insert(all.end(),
+             {{"not_spawned", "not spawned",
+               "Paths that were wrong, or ended, before the ray that was to be judged."},
+              {"undecided", "undecided",
+               "Spawned rays whose truth is not certified at 1536 bits: surfaces of different "
+               "equations meet there. They are not judged."}});
   for (const census::ArtifactText& text : census::artifact_texts()) {
     all.push_back(
         {std::string(text.name), std::string(text.heading), std::string(text.definition)});
@@ -78,6 +86,9 @@ std::vector<Value> row_of(const LabelledCensus& labelled, const census::Cell& ce
                                            : Value(std::uint64_t(cell.significand_bits)));
   row.emplace_back(cell.rays);
   row.emplace_back(labelled.census.with_coincidence);
+  const std::uint64_t paths = cell.rays + cell.not_spawned + cell.undecided;
+  row.emplace_back(Rate{cell.not_spawned, paths});
+  row.emplace_back(Rate{cell.undecided, paths});
   for (const std::uint64_t count : cell.with) {
     row.emplace_back(Rate{count, cell.rays});
   }
@@ -130,6 +141,40 @@ std::vector<Replay> cells_to_replay(const std::vector<LabelledCensus>& censuses)
   return chosen;
 }
 
+// Columns that say nothing of primary rays, and those that say nothing of spawned ones.
+constexpr std::array<std::string_view, 3> kOfSpawnedRays{"not_spawned", "undecided",
+                                                         "self_intersection"};
+constexpr std::array<std::string_view, 20> kOfPrimaryRays{
+    "epsilon_hole",    "inconsistent",  "wrong_count", "wrong_parity", "model",
+    "representation",  "construction",  "computation", "lamina_front", "lamina_back",
+    "order_sensitive", "most_outcomes", "speckle",     "wrong_length", "persistence",
+    "t_ulps",          "point_rel",     "normal_rad",  "worst_scene",  "worst_ray"};
+
+template <std::size_t Count>
+void drop(Table& table, const std::array<std::string_view, Count>& names) {
+  for (std::size_t c = table.columns.size(); c-- > 0;) {
+    if (std::find(names.begin(), names.end(), table.columns[c].name) == names.end()) {
+      continue;
+    }
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    table.columns.erase(table.columns.begin() + at);
+    for (auto& row : table.rows) {
+      row.erase(row.begin() + at);
+    }
+  }
+}
+
+Table table_of(const std::vector<LabelledCensus>& censuses,
+               const std::vector<Column>& label_columns, const std::string& title) {
+  Table table{"artifacts", title, columns(label_columns), {}, {}};
+  for (const LabelledCensus& labelled : censuses) {
+    for (const census::Cell& cell : labelled.census.cells) {
+      table.rows.push_back(row_of(labelled, cell));
+    }
+  }
+  return table;
+}
+
 }  // namespace
 
 Value value_of(const census::Label& label) {
@@ -138,14 +183,12 @@ Value value_of(const census::Label& label) {
 
 Table census_table(const std::vector<LabelledCensus>& censuses,
                    const std::vector<Column>& label_columns, const std::string& title) {
-  Table table{"artifacts", title, columns(label_columns), {}, {}};
+  Table table = table_of(censuses, label_columns, title);
+  drop(table, kOfSpawnedRays);
   std::uint64_t rays = 0;
   std::uint64_t in_carrier = 0;
   std::uint64_t coincident = 0;
   for (const LabelledCensus& labelled : censuses) {
-    for (const census::Cell& cell : labelled.census.cells) {
-      table.rows.push_back(row_of(labelled, cell));
-    }
     rays += labelled.census.rays;
     in_carrier += labelled.census.in_carrier;
     coincident += labelled.census.with_coincidence;
@@ -161,6 +204,17 @@ Table census_table(const std::vector<LabelledCensus>& censuses,
                     cell->worst->scene, geometry::to_text(cell->worst->ray), cell->method,
                     cell->number, *options));
   }
+  return table;
+}
+
+Table spawned_table(const std::vector<LabelledCensus>& censuses,
+                    const std::vector<Column>& label_columns, const std::string& title) {
+  Table table = table_of(censuses, label_columns, title);
+  drop(table, kOfPrimaryRays);
+  table.notes.emplace_back(
+      "The rays that are counted are spawned ones. Truth is conditional: each starts at the exact "
+      "hit of its exact incident ray, in the direction that the number type holds. Media are those "
+      "at its start.");
   return table;
 }
 

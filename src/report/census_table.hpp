@@ -23,6 +23,10 @@ struct LabelledCensus {
 Table census_table(const std::vector<LabelledCensus>& censuses,
                    const std::vector<Column>& label_columns, const std::string& title);
 
+/// The same for rays that are spawned: what is judged of them.
+Table spawned_table(const std::vector<LabelledCensus>& censuses,
+                    const std::vector<Column>& label_columns, const std::string& title);
+
 /// A row for each census, number type and two methods: the rays on which only one of them has
 /// its first visible interface wrong, and McNemar's test.
 Table paired_table(const std::vector<LabelledCensus>& censuses,

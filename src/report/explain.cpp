@@ -14,6 +14,7 @@
 #include "report/outcome_text.hpp"
 #include "report/page.hpp"
 #include "report/truth_text.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::report {
 namespace {
@@ -170,11 +171,11 @@ std::string outcomes_text(const std::vector<Explained>& explained, const Legend&
 
 std::string explain(const scene::Scene& scene, const geometry::ExactRay& ray,
                     std::span<const method::Method> methods,
-                    std::span<const method::NumberChoice> numbers, const poly::Solvers& solvers) {
+                    std::span<const trace::NumberChoice> numbers, const poly::Solvers& solvers) {
   Truth truth(scene);
   truth.find(ray);
   std::vector<Lane> lanes;
-  for (const method::NumberChoice& number : numbers) {
+  for (const trace::NumberChoice& number : numbers) {
     lanes.emplace_back(scene, ray, truth, number, solvers);
   }
   std::vector<Explained> explained;

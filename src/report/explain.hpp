@@ -9,6 +9,7 @@
 #include "method/tracer.hpp"
 #include "poly/line_roots.hpp"
 #include "scene/scene.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::report {
 
@@ -19,6 +20,6 @@ namespace lamina::report {
 /// is shown event by event even if it is right.
 std::string explain(const scene::Scene& scene, const geometry::ExactRay& ray,
                     std::span<const method::Method> methods,
-                    std::span<const method::NumberChoice> numbers, const poly::Solvers& solvers);
+                    std::span<const trace::NumberChoice> numbers, const poly::Solvers& solvers);
 
 }  // namespace lamina::report

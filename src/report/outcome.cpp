@@ -1,4 +1,5 @@
 #include "report/outcome.hpp"
+#include "trace/number_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,7 @@
 namespace lamina::report {
 
 Lane::Lane(const scene::Scene& scene, const geometry::ExactRay& ray, const census::Truth& truth,
-           const method::NumberChoice& choice, const poly::Solvers& solvers)
+           const trace::NumberChoice& choice, const poly::Solvers& solvers)
     : number(&choice),
       tracer(choice.make_tracer(scene, solvers)),
       judge(truth, *tracer, scene.leaves.size()) {

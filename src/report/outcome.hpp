@@ -7,15 +7,16 @@
 
 #include "census/verdict.hpp"
 #include "method/tracer.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::report {
 
 /// One number type on the ray.
 struct Lane {
   Lane(const scene::Scene& scene, const geometry::ExactRay& ray, const census::Truth& truth,
-       const method::NumberChoice& choice, const poly::Solvers& solvers);
+       const trace::NumberChoice& choice, const poly::Solvers& solvers);
 
-  const method::NumberChoice* number;
+  const trace::NumberChoice* number;
   std::unique_ptr<method::Tracer> tracer;
   census::Judge judge;
   /// By the tracer's crossing, the truth's that it is, or census::kNoCrossing.

@@ -1,4 +1,5 @@
 #include "report/symptom.hpp"
+#include "trace/number_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +13,7 @@ using census::Artifact;
 // What is wrong in one number type, apart from whether it is in exact numbers too.
 std::optional<Symptom> symptom_in(const scene::Scene& scene, const geometry::ExactRay& ray,
                                   const census::Truth& truth, const method::Method& method,
-                                  const method::NumberChoice& number,
-                                  const poly::Solvers& solvers) {
+                                  const trace::NumberChoice& number, const poly::Solvers& solvers) {
   Lane lane(scene, ray, truth, number, solvers);
   const Outcome outcome(scene, ray, truth, method, lane);
   const auto& count = outcome.verdict.count;
@@ -38,7 +38,7 @@ std::optional<Symptom> symptom_in(const scene::Scene& scene, const geometry::Exa
 }  // namespace
 
 std::optional<Symptom> symptom(const scene::Scene& scene, const geometry::ExactRay& ray,
-                               const method::Method& method, const method::NumberChoice& number,
+                               const method::Method& method, const trace::NumberChoice& number,
                                const poly::Solvers& solvers) {
   census::Truth truth(scene);
   truth.find(ray);
@@ -48,7 +48,7 @@ std::optional<Symptom> symptom(const scene::Scene& scene, const geometry::ExactR
   auto found = symptom_in(scene, ray, truth, method, number, solvers);
   if (found) {
     const auto exact =
-        symptom_in(scene, ray, truth, method, method::number_choice<number::exact>(), solvers);
+        symptom_in(scene, ray, truth, method, trace::number_choice<number::exact>(), solvers);
     found->in_exact =
         exact && exact->artifact == found->artifact && exact->first_wrong == found->first_wrong;
   }

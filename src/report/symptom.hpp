@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report/divergence.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::report {
 
@@ -25,7 +26,7 @@ struct Symptom {
 
 /// Returns what is wrong with a ray; nothing if it is right, or lies in a carrier.
 std::optional<Symptom> symptom(const scene::Scene& scene, const geometry::ExactRay& ray,
-                               const method::Method& method, const method::NumberChoice& number,
+                               const method::Method& method, const trace::NumberChoice& number,
                                const poly::Solvers& solvers);
 
 /// `first wrong, ghost hit; not in exact numbers`.

@@ -42,6 +42,9 @@ const std::vector<Family>& families() {
       {"four-cases", ":i|ii|iii|iv:G", "A - B with surfaces G apart (W&T Figure 12)", four_cases},
       {"far-origin", ":translated|scaled:K", "coincident-faces, moved by or times 10^K",
        far_origin},
+      {"cleared-face", "", "a face that a slab on it and a ball in the slab are cleared from",
+       cleared_face},
+      {"glass-stack", ":K", "K transparent slabs whose tops lie in one plane", glass_stack},
       {"unclosed", ":cylinder|cone|slab", "solids of half-spaces that are not closed", unclosed},
       {"round", ":ball|ring", "a unit sphere, or a torus of radii 1 and 1/4", round_solid},
   };

@@ -164,6 +164,64 @@ FamilyMember thin_wall(const Parameters&, std::uint64_t seed, std::uint64_t case
                        "difference() {\n  sphere(2);\n  translate([0, 0, 1/2]) sphere(3/2);\n}");
 }
 
+namespace {
+
+// n.p <= offset for n = (1, 2, 3), or n.p >= offset, the equation times a random small integer.
+std::string below_plane(const Rational& offset, SeededStream& stream, int sign = 1) {
+  const std::int64_t factor = sign * stream.integer(1, 9);
+  return fmt::format("halfspace([{}, {}, {}], {});", factor, 2 * factor, 3 * factor,
+                     number::to_text(Rational(factor * offset)));
+}
+
+const Rational kTop = 7;  // the plane n.p = 7, around (1/2, 1, 3/2)
+
+FamilyMember on_the_plane(std::string text) {
+  // Sides along the plane of length 2.
+  const double a = 2 / std::sqrt(5.0);
+  const double b = 2 / std::sqrt(70.0);
+  const Point side1{2 * a, -a, 0};
+  const Point side2{3 * b, 6 * b, -5 * b};
+  const Point middle{0.5, 1, 1.5};
+  return {std::move(text),
+          {{middle - 0.5 * side1 - 0.5 * side2, side1, side2}},
+          [](const Point& p) { return p; }};
+}
+
+}  // namespace
+
+FamilyMember cleared_face(const Parameters&, std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/cleared-face", seed, case_id);
+  // In units of n.p, which are 1 / sqrt(14) long: the slab is 1.6 to 2.7 thick, the ball in it has
+  // radius 1/4.
+  const Length depth{stream.integer(42, 70), 7};
+  const Length up = depth / 28;  // of the ball's middle, along n
+  const std::string a = below_plane(kTop, stream);
+  const std::string b_floor = below_plane(kTop, stream, -1);
+  const std::string b_roof =
+      below_plane(kTop + Rational(depth.numerator, depth.denominator), stream);
+  return on_the_plane(fmt::format(
+      "difference() {{\n  add() {{\n    material(\"A\") {}\n    material(\"C\") translate([{}, {}, "
+      "{}]) sphere(1/4);\n  }}\n  material(\"B\") intersection() {{ {} {} }}\n}}\n",
+      a, (Length{1, 2} + up).text(), (Length{1, 1} + up * 2).text(), (Length{3, 2} + up * 3).text(),
+      b_floor, b_roof));
+}
+
+FamilyMember glass_stack(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  SeededStream stream("scene/glass-stack", seed, case_id);
+  const std::int64_t count = whole(parameters[0], 1, 20);
+  std::string slabs;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Length depth{count * stream.integer(2, 12) + i, 7};  // all different: only tops coincide
+    const std::string top = below_plane(kTop, stream);
+    const std::string bottom =
+        below_plane(kTop - Rational(depth.numerator, depth.denominator), stream, -1);
+    slabs += fmt::format(
+        "  material(\"glass{0}\", color=[0.9, 0.9, 0.9, 1/2]) intersection() {{ {1} {2} }}\n",
+        i + 1, top, bottom);
+  }
+  return on_the_plane("add() {\n" + slabs + "}\n");
+}
+
 FamilyMember slab(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
   SeededStream stream("scene/slab", seed, case_id);
   return placed_member(Placement(stream), wide(0, positive(parameters[0])));

@@ -40,6 +40,15 @@ FamilyMember four_cases(const Parameters&, std::uint64_t seed, std::uint64_t cas
 /// times 10^K.
 FamilyMember far_origin(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
+/// (A add C) - B: A is a half-space below the plane x + 2y + 3z = 7, B a slab that stands on that
+/// plane, C a ball inside B. The equations of the plane are different multiples of one with
+/// small integers: the surfaces coincide exactly in every number type. The plane is the patch.
+FamilyMember cleared_face(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
+
+/// K: so many transparent slabs of different materials and depths added up, the tops of all in
+/// the plane x + 2y + 3z = 7, each by another multiple of its equation. The plane is the patch.
+FamilyMember glass_stack(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
+
 /// cylinder | cone | slab: solids whose leaves are not closed, not rotated: of radius 1 around
 /// the z axis, between z = -1 and 1; the cone has its apex at (0, 0, 1) and slope 1.
 FamilyMember unclosed(const Parameters&, std::uint64_t seed, std::uint64_t case_id);

@@ -14,6 +14,7 @@ using geometry::ExactPoint;
 using geometry::ExactRay;
 using number::Integer;
 using number::IntegerPolynomial;
+using number::Interval;
 using number::Rational;
 
 using Exponents = std::array<int, 4>;        // of x, y, z, w
@@ -119,14 +120,50 @@ int reduce_degree(Form& form, int degree) {
   return degree;
 }
 
-std::vector<Integer> multiply(const std::vector<Integer>& a, const std::vector<Integer>& b) {
-  std::vector<Integer> product(a.size() + b.size() - 1, Integer(0));
+template <typename Ring>
+std::vector<Ring> multiply(const std::vector<Ring>& a, const std::vector<Ring>& b) {
+  std::vector<Ring> product(a.size() + b.size() - 1, Integer(0) * a.front());
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       product[i + j] += a[i] * b[j];
     }
   }
   return product;
+}
+
+std::array<std::vector<Integer>, 4> homogeneous(const ExactRay& ray) {
+  Integer common = 1;
+  for (const Rational* value : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x,
+                                &ray.direction.y, &ray.direction.z}) {
+    common = lcm(common, Integer(denominator(*value)));
+  }
+  const auto linear = [&common](const Rational& origin, const Rational& direction) {
+    std::vector<Integer> coordinate{numerator(origin) * (common / denominator(origin))};
+    if (!direction.is_zero()) {
+      coordinate.push_back(numerator(direction) * (common / denominator(direction)));
+    }
+    return coordinate;
+  };
+  return {linear(ray.origin.x, ray.direction.x),
+          linear(ray.origin.y, ray.direction.y),
+          linear(ray.origin.z, ray.direction.z),
+          {common}};
+}
+
+std::array<std::vector<Interval>, 4> enclosed(const geometry::Vector3<Interval>& origin,
+                                              const ExactPoint& direction) {
+  const int bits = origin.x.bits();
+  const auto linear = [bits](const Interval& from, const Rational& along) {
+    std::vector<Interval> coordinate{from};
+    if (!along.is_zero()) {
+      coordinate.emplace_back(along, bits);
+    }
+    return coordinate;
+  };
+  return {linear(origin.x, direction.x),
+          linear(origin.y, direction.y),
+          linear(origin.z, direction.z),
+          {Interval(Rational(1), bits)}};
 }
 
 }  // namespace
@@ -179,30 +216,14 @@ OrientedCarrier carrier_of(const LocalSurface& surface, const AffineMap& to_loca
   return result;
 }
 
-RayMonomials::RayMonomials(const ExactRay& ray) {
-  Integer common = 1;
-  for (const Rational* value : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x,
-                                &ray.direction.y, &ray.direction.z}) {
-    common = lcm(common, Integer(denominator(*value)));
-  }
-  const auto linear = [&common](const Rational& origin, const Rational& direction) {
-    Polynomial coordinate{numerator(origin) * (common / denominator(origin))};
-    if (!direction.is_zero()) {
-      coordinate.push_back(numerator(direction) * (common / denominator(direction)));
-    }
-    return coordinate;
-  };
-  coordinates_ = {linear(ray.origin.x, ray.direction.x), linear(ray.origin.y, ray.direction.y),
-                  linear(ray.origin.z, ray.direction.z), Polynomial{common}};
-}
-
-const std::vector<RayMonomials::Polynomial>& RayMonomials::monomials(int degree) {
+template <typename Ring>
+const std::vector<std::vector<Ring>>& LineMonomials<Ring>::monomials(int degree) {
   std::vector<Polynomial>& result = monomials_.at(degree);
   if (!result.empty()) {
     return result;
   }
-  if (degree == 0) {
-    result.push_back({Integer(1)});
+  if (degree == 1) {
+    result.assign(coordinates_.begin(), coordinates_.end());
     return result;
   }
   // Each monomial is a coordinate times one of the next lower degree, which are in the same
@@ -222,9 +243,11 @@ const std::vector<RayMonomials::Polynomial>& RayMonomials::monomials(int degree)
   return result;
 }
 
-IntegerPolynomial RayMonomials::restrict(const Carrier& carrier) {
+template <typename Ring>
+std::vector<Ring> LineMonomials<Ring>::restrict(const Carrier& carrier) {
   const std::vector<Polynomial>& powers = monomials(carrier.degree);
-  std::vector<Integer> sum(static_cast<std::size_t>(carrier.degree) + 1, Integer(0));
+  const Ring zero = Integer(0) * coordinates_[3].front();
+  std::vector<Ring> sum(static_cast<std::size_t>(carrier.degree) + 1, zero);
   for (std::size_t m = 0; m < powers.size(); ++m) {
     if (carrier.coefficients[m].is_zero()) {
       continue;
@@ -233,7 +256,25 @@ IntegerPolynomial RayMonomials::restrict(const Carrier& carrier) {
       sum[i] += carrier.coefficients[m] * powers[m][i];
     }
   }
-  return IntegerPolynomial(std::move(sum));
+  return sum;
+}
+
+RayMonomials::RayMonomials(const ExactRay& ray) : line_(homogeneous(ray)) {}
+
+IntegerPolynomial RayMonomials::restrict(const Carrier& carrier) {
+  return IntegerPolynomial(line_.restrict(carrier));
+}
+
+EnclosedRayMonomials::EnclosedRayMonomials(const geometry::Vector3<Interval>& origin,
+                                           const ExactPoint& direction)
+    : line_(enclosed(origin, direction)), direction_(ExactRay{{0, 0, 0}, direction}) {}
+
+std::vector<Interval> EnclosedRayMonomials::restrict(const Carrier& carrier) {
+  std::vector<Interval> coefficients = line_.restrict(carrier);
+  if (direction_.restrict(carrier).degree() < carrier.degree) {
+    coefficients.pop_back();
+  }
+  return coefficients;
 }
 
 int sign_at(const Carrier& carrier, const ExactPoint& point) {

@@ -1,11 +1,14 @@
 // Carriers: the exact surfaces of a scene in world coordinates, in canonical form.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geometry/affine.hpp"
 #include "number/algebraic.hpp"
+#include "number/interval.hpp"
 #include "surface/half_space.hpp"
 
 namespace lamina::surface {
@@ -36,8 +39,27 @@ struct OrientedCarrier {
 /// of the scene language is.
 OrientedCarrier carrier_of(const LocalSurface& surface, const geometry::AffineMap& to_local);
 
-/// The monomials of degrees 1, 2 and 4 along one ray, over the integers: computed once for
-/// a ray, used for all its carriers. Reusable.
+/// The monomials of degrees 1, 2 and 4 along one line, whose coordinates (x, y, z, w) are
+/// polynomials of degree 1 over a ring: computed once for a line, used for all carriers.
+template <typename Ring>
+class LineMonomials {
+ public:
+  using Polynomial = std::vector<Ring>;
+
+  explicit LineMonomials(std::array<Polynomial, 4> coordinates)
+      : coordinates_(std::move(coordinates)) {}
+
+  /// f along the line: as many coefficients, ascending, as its degree asks for.
+  [[nodiscard]] Polynomial restrict(const Carrier& carrier);
+
+ private:
+  const std::vector<Polynomial>& monomials(int degree);
+
+  std::array<Polynomial, 4> coordinates_;
+  std::array<std::vector<Polynomial>, 5> monomials_;
+};
+
+/// Carriers along an exact ray, over the integers.
 class RayMonomials {
  public:
   explicit RayMonomials(const geometry::ExactRay& ray);
@@ -46,11 +68,22 @@ class RayMonomials {
   [[nodiscard]] number::IntegerPolynomial restrict(const Carrier& carrier);
 
  private:
-  using Polynomial = std::vector<number::Integer>;
-  const std::vector<Polynomial>& monomials(int degree);
+  LineMonomials<number::Integer> line_;
+};
 
-  std::array<Polynomial, 4> coordinates_;  // x, y, z, w as linear polynomials in t
-  std::array<std::vector<Polynomial>, 5> monomials_;
+/// Carriers along a ray whose origin is enclosed and whose direction is exact.
+class EnclosedRayMonomials {
+ public:
+  EnclosedRayMonomials(const geometry::Vector3<number::Interval>& origin,
+                       const geometry::ExactPoint& direction);
+
+  /// f(origin + s direction): the coefficients, ascending, enclosed. The last one is that of the
+  /// carrier's degree unless that is exactly zero, as it depends on the direction alone.
+  [[nodiscard]] std::vector<number::Interval> restrict(const Carrier& carrier);
+
+ private:
+  LineMonomials<number::Interval> line_;
+  RayMonomials direction_;
 };
 
 /// Exact sign of the carrier's f at a point: -1, 0 or 1.

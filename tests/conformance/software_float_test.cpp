@@ -8,6 +8,7 @@
 #include "scene/families.hpp"
 #include "scene/rays.hpp"
 #include "support/class_tally.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina {
 namespace {
@@ -81,7 +82,7 @@ std::vector<std::uint64_t> census_counts() {
                            "regularized", "wyvill-trotman"}) {
     plan.methods.push_back(method::parse_method(name));
   }
-  plan.numbers = {method::number_choice<Number>()};
+  plan.numbers = {trace::number_choice<Number>()};
   const census::Census census = census::run_census(
       plan, kScenes,
       [](std::size_t case_id) {

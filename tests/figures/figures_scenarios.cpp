@@ -9,6 +9,7 @@
 #include "number/all_numbers.hpp"
 #include "scene/rays.hpp"
 #include "trace/camera.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina {
 namespace {
@@ -43,7 +44,7 @@ class Figure {
          {"roth", "wyvill-sharp", "epsilon:1e-6", "regularized", "wyvill-trotman"}) {
       plan.methods.push_back(method::parse_method(method));
     }
-#define LAMINA_CHOICE(Number) plan.numbers.push_back(method::number_choice<Number>());
+#define LAMINA_CHOICE(Number) plan.numbers.push_back(trace::number_choice<Number>());
     LAMINA_FOR_EACH_NUMBER(LAMINA_CHOICE)
 #undef LAMINA_CHOICE
     numbers_ = plan.numbers;
@@ -85,7 +86,7 @@ class Figure {
  private:
   scene::Scene scene_;
   Rays rays_;
-  std::vector<method::NumberChoice> numbers_;
+  std::vector<trace::NumberChoice> numbers_;
   census::Census census_;
 };
 

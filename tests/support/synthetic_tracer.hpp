@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "method/tracer.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::support {
 
@@ -104,7 +105,7 @@ class SyntheticTracer final : public method::Tracer {
 };
 
 /// A number type whose tracers make these errors.
-inline method::NumberChoice synthetic_number(const SyntheticTracer::Errors& errors) {
+inline trace::NumberChoice synthetic_number(const SyntheticTracer::Errors& errors) {
   return {"synthetic", 0,
           [errors](const scene::Scene& scene, const poly::Solvers&) {
             return std::make_unique<SyntheticTracer>(scene, errors);

@@ -5,6 +5,7 @@
 #include "census/statistics.hpp"
 #include "experiments/experiment.hpp"
 #include "number/all_numbers.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::experiments {
 namespace {
@@ -14,7 +15,7 @@ using census::Artifact;
 Settings settings(std::uint64_t rays) {
   Settings settings;
   settings.plan.methods = {method::parse_method("epsilon:1")};  // experiments set the tolerance
-  settings.plan.numbers = {method::number_choice<double>(), method::number_choice<number::exact>()};
+  settings.plan.numbers = {trace::number_choice<double>(), trace::number_choice<number::exact>()};
   settings.rays = rays;
   settings.seed = 4;
   settings.warn = [](const std::string&) {};

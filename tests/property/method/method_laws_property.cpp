@@ -5,6 +5,7 @@
 #include "number/all_numbers.hpp"
 #include "support/class_tally.hpp"
 #include "support/law_models.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina {
 namespace {
@@ -62,8 +63,8 @@ TEST_CASE("roth and regularized see the same media in exact numbers", "[laws]") 
 }
 
 TEST_CASE("epsilon:0 is regularized in every number type", "[laws]") {
-  std::vector<method::NumberChoice> numbers;
-#define LAMINA_CHOICE(Number) numbers.push_back(method::number_choice<Number>());
+  std::vector<trace::NumberChoice> numbers;
+#define LAMINA_CHOICE(Number) numbers.push_back(trace::number_choice<Number>());
   LAMINA_FOR_EACH_NUMBER(LAMINA_CHOICE)
 #undef LAMINA_CHOICE
   const std::vector<method::Method> methods{method::epsilon(0, false), method::epsilon(0, true)};

@@ -9,18 +9,19 @@
 #include "scene/families.hpp"
 #include "scene/rays.hpp"
 #include "support/scenes.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 namespace {
 
 using geometry::ExactRay;
-using method::NumberChoice;
 using number::Rational;
 using support::scene_of;
+using trace::NumberChoice;
 
 std::vector<NumberChoice> all_numbers() {
   std::vector<NumberChoice> numbers;
-#define LAMINA_CHOICE(Number) numbers.push_back(method::number_choice<Number>());
+#define LAMINA_CHOICE(Number) numbers.push_back(trace::number_choice<Number>());
   LAMINA_FOR_EACH_NUMBER(LAMINA_CHOICE)
 #undef LAMINA_CHOICE
   return numbers;
@@ -65,7 +66,7 @@ class Bench {
 template <typename Number>
 std::string cause(const std::string& text, const ExactRay& ray,
                   const std::string& method = "regularized") {
-  return Bench(scene_of(text), method, method::number_choice<Number>()).cause(ray);
+  return Bench(scene_of(text), method, trace::number_choice<Number>()).cause(ray);
 }
 
 // The first interface of the truth, `from>to`.
@@ -174,7 +175,7 @@ TEST(AttributionTest, CountsWhatExactArithmeticMissesToo) {
   const scene::Scene scene = scene_of("cube([9, 9, 1/2]); translate([0, 0, 10]) cube([9, 9, 3]);");
   const std::vector<method::Method> methods{method::regularized(),
                                             method::parse_method("epsilon:1")};
-  const std::vector<NumberChoice> numbers{method::number_choice<float>()};
+  const std::vector<NumberChoice> numbers{trace::number_choice<float>()};
   Truth truth(scene);
   Attribution attribution(scene, truth, methods, numbers);
   const ExactRay ray{{1, 2, -5}, {0, 0, 1}};
@@ -219,8 +220,8 @@ TEST(AttributionTest, EveryRayThatIsFirstWrongHasOneCause) {
                              "wyvill-trotman", "wyvill-trotman:reference:1/1000"}) {
     plan.methods.push_back(method::parse_method(method));
   }
-  plan.numbers = {method::number_choice<number::bin<11>>(), method::number_choice<float>(),
-                  method::number_choice<number::exact>()};
+  plan.numbers = {trace::number_choice<number::bin<11>>(), trace::number_choice<float>(),
+                  trace::number_choice<number::exact>()};
   const Census census = census_of_coincident_faces(plan, 24, 6);
   std::array<std::uint64_t, kCauseCount> caused{};
   for (std::size_t c = 0; c < census.cells.size(); ++c) {

@@ -8,6 +8,7 @@
 #include "scene/rays.hpp"
 #include "support/equal_census.hpp"
 #include "support/scenes.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 namespace {
@@ -20,7 +21,7 @@ Plan plan(int threads) {
        {"roth", "wyvill-sharp", "epsilon:1e-3", "regularized", "wyvill-trotman"}) {
     plan.methods.push_back(method::parse_method(method));
   }
-  plan.numbers = {method::number_choice<float>(), method::number_choice<number::exact>()};
+  plan.numbers = {trace::number_choice<float>(), trace::number_choice<number::exact>()};
   plan.threads = threads;
   return plan;
 }
@@ -205,7 +206,7 @@ TEST(CensusTest, CoincidenceBehindTheStartIsNotCounted) {
 TEST(CensusTest, EpsilonHolesAreMissesOfExactArithmetic) {
   Plan only;
   only.methods = {method::parse_method("epsilon:1")};
-  only.numbers = {method::number_choice<double>(), method::number_choice<number::exact>()};
+  only.numbers = {trace::number_choice<double>(), trace::number_choice<number::exact>()};
   const Census census = run(only, 1, [](std::size_t) {
     return Task{support::scene_of("cube([9, 9, 1/2]); translate([0, 0, 10]) cube([9, 9, 3]);"),
                 {{{1, 2, -5}, {0, 0, 2}}}};
@@ -221,7 +222,7 @@ TEST(CensusTest, EpsilonHolesAreMissesOfExactArithmetic) {
 TEST(CensusTest, StopsBetweenBlocksAndKeepsWhatIsDone) {
   Plan only;
   only.methods = {method::regularized()};
-  only.numbers = {method::number_choice<float>()};
+  only.numbers = {trace::number_choice<float>()};
   const auto task = [](std::size_t i) { return task_of(i % 3, 0, 1); };
   std::uint64_t done = 0;
   const Census stopped = run_census(only, 200, task, [&done](std::uint64_t d, std::uint64_t total) {

@@ -10,6 +10,7 @@
 #include "support/class_tally.hpp"
 #include "support/law_models.hpp"
 #include "support/scenes.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::census {
 namespace {
@@ -33,12 +34,12 @@ const std::vector<std::string> kMethods{"roth",           "wyvill-sharp",
                                         "epsilon:1e-3",   "regularized",
                                         "wyvill-trotman", "wyvill-trotman:parity:no-look-ahead"};
 
-std::vector<method::NumberChoice> numbers() {
-  return {method::number_choice<float>(), method::number_choice<number::exact>()};
+std::vector<trace::NumberChoice> numbers() {
+  return {trace::number_choice<float>(), trace::number_choice<number::exact>()};
 }
 
 struct Bench {
-  Bench(scene::Scene of, const method::NumberChoice& number)
+  Bench(scene::Scene of, const trace::NumberChoice& number)
       : scene(std::move(of)), tracer(number.make_tracer(scene, {})), probe(scene, kRandomOrders) {}
 
   std::vector<std::uint32_t> outcomes(const std::vector<Method>& methods, const ExactRay& ray) {
@@ -57,7 +58,7 @@ struct Bench {
 
 std::vector<std::uint32_t> outcomes(const std::string& text, const ExactRay& ray,
                                     const std::vector<std::string>& methods,
-                                    const method::NumberChoice& number) {
+                                    const trace::NumberChoice& number) {
   return Bench(scene_of(text), number).outcomes(spelled(methods), ray);
 }
 

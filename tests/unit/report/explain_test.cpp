@@ -14,6 +14,7 @@
 #include "scene/rays.hpp"
 #include "support/class_tally.hpp"
 #include "support/scenes.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::report {
 namespace {
@@ -21,9 +22,9 @@ namespace {
 using census::Artifact;
 using geometry::ExactRay;
 using method::Method;
-using method::NumberChoice;
 using number::Rational;
 using support::scene_of;
+using trace::NumberChoice;
 
 scene::Scene figure(const std::string& name) {
   return scene::read_scene(LAMINA_SOURCE_DIR "/data/scenes/figure" + name + ".csg");
@@ -44,7 +45,7 @@ std::vector<Method> all_methods() {
 
 template <typename... Numbers>
 std::vector<NumberChoice> choices() {
-  return {method::number_choice<Numbers>()...};
+  return {trace::number_choice<Numbers>()...};
 }
 
 std::vector<NumberChoice> several_numbers() {
@@ -94,7 +95,7 @@ std::optional<ExactRay> find_ray(const scene::Scene& scene, const std::vector<Ex
                                  const std::string& method, Divergence::Cause cause,
                                  census::Artifact artifact) {
   const Method m = method::parse_method(method);
-  const NumberChoice number = method::number_choice<Number>();
+  const NumberChoice number = trace::number_choice<Number>();
   census::Truth truth(scene);
   for (const ExactRay& ray : rays) {
     truth.find(ray);

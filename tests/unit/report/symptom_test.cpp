@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/scenes.hpp"
+#include "trace/number_choice.hpp"
 
 namespace lamina::report {
 namespace {
@@ -16,7 +17,7 @@ template <typename Number>
 std::optional<Symptom> symptom_of(const std::string& text, const ExactRay& ray,
                                   const std::string& method) {
   return symptom(support::scene_of(text), ray, method::parse_method(method),
-                 method::number_choice<Number>(), {});
+                 trace::number_choice<Number>(), {});
 }
 
 // The first leaf of the group is inside nothing, and does not own the surface.

@@ -48,6 +48,8 @@ const std::vector<std::string> kFamilies{"coincident-faces",
                                          "four-cases:iv:1e-3",
                                          "far-origin:translated:6",
                                          "far-origin:scaled:-3",
+                                         "cleared-face",
+                                         "glass-stack:3",
                                          "unclosed:cylinder",
                                          "unclosed:cone",
                                          "unclosed:slab",
@@ -109,6 +111,51 @@ TEST(FamiliesTest, MembersAreTheSameForTheSameSeedAndDifferBetweenCases) {
     }
     EXPECT_GE(by_case.size(), kCases - 2) << family;
     EXPECT_GE(by_seed.size(), kCases - 2) << family;
+  }
+}
+
+// Of the families on the plane n.p = 7, n = (1, 2, 3): leaves that share it, and what is `up`
+// times n above a point of it.
+std::size_t leaves_on_the_plane(const Scene& scene) {
+  std::size_t most = 0;
+  for (std::size_t c = 0; c < scene.carriers.size(); ++c) {
+    if (scene.carriers[c].coefficients == std::vector<number::Integer>{1, 2, 3, -7}) {
+      most = scene.leaves_of_carrier[c].size();
+    }
+  }
+  return most;
+}
+
+std::string above_the_plane(const Scene& scene, const Point& on_plane, double up) {
+  return material_at(scene, on_plane + up * Point{1, 2, 3});
+}
+
+TEST(FamiliesTest, AClearedFaceHasNothingAboveIt) {
+  for (std::uint64_t i = 0; i < 8; ++i) {
+    const Scene scene = open_scene(family_spelling("cleared-face", 1, i));
+    EXPECT_EQ(leaves_on_the_plane(scene), 2u);
+    // In the plane under the ball, and aside of it.
+    for (const Point& p : {Point{0.5, 1, 1.5}, Point{2.5, 0, 1.5}}) {
+      EXPECT_EQ(above_the_plane(scene, p, -0.01), "A");
+      for (const double up : {0.01, 0.2, 0.25, 0.3, 0.9}) {
+        EXPECT_EQ(above_the_plane(scene, p, up), "");
+      }
+    }
+  }
+}
+
+TEST(FamiliesTest, AGlassStackHasItsTopsInOnePlane) {
+  const Scene scene = open_scene(family_spelling("glass-stack:4", 1, 2));
+  EXPECT_EQ(leaves_on_the_plane(scene), 4u);
+  EXPECT_EQ(above_the_plane(scene, {0.5, 1, 1.5}, 0.01), "");
+  EXPECT_EQ(above_the_plane(scene, {0.5, 1, 1.5}, -0.01), "glass4");
+  std::set<std::string> met;
+  for (int i = 1; i < 64; ++i) {
+    met.insert(above_the_plane(scene, {0.5, 1, 1.5}, -i / 64.0));
+  }
+  EXPECT_TRUE(met.count("glass4") == 1 && met.count("") == 1);
+  for (const Material& material : scene.materials) {
+    EXPECT_TRUE(material.name.empty() || !material.opaque());
   }
 }
 

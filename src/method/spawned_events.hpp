@@ -1,0 +1,73 @@
+// The exact crossings of a ray that starts on a surface: certified, or undecided.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "number/interval.hpp"
+#include "poly/certified_roots.hpp"
+#include "scene/scene.hpp"
+
+namespace lamina::method {
+
+/// The point on a surface that a spawned ray starts at. Its coordinates are algebraic numbers
+/// that nothing writes down, but which carriers go through it is known.
+struct ExactStart {
+  /// Encloses the point, with about that many bits after the binary point; none where a ray
+  /// before it is not certified so closely.
+  std::function<std::optional<geometry::Vector3<number::Interval>>(int bits)> point;
+  std::vector<surface::CarrierIndex> carriers;  ///< all that go through the point, ascending
+};
+
+/// Where an exact ray meets a surface. The carriers through the point are decided exactly.
+ExactStart start_on(const scene::Scene& scene, const geometry::ExactRay& ray,
+                    const number::Root& t);
+
+/// All leaves of one carrier at one of its roots, s > 0.
+struct SpawnedClass {
+  surface::CarrierIndex carrier = 0;
+  std::size_t root = 0;  ///< 0, 1, ... among the carrier's positive roots
+  double s = 0;          ///< nearest to the root but for its last bits
+};
+
+/// The crossings with s > 0 of the ray start + s direction, the start an algebraic point, the
+/// direction read exactly (design 1, conditional truth). For a carrier through the start the
+/// root s = 0 is divided out, never searched for. Everything else is decided by intervals, of
+/// more and more bits until they suffice; equal roots of different carriers never do.
+class SpawnedEvents {
+ public:
+  /// Bits at which a decision is given up.
+  static constexpr int kMaxBits = 1536;
+
+  explicit SpawnedEvents(const scene::Scene& scene) : scene_(&scene) {}
+
+  /// Returns whether all of the ray is decided; if not, there is nothing to ask for.
+  bool find(const ExactStart& start, const geometry::ExactPoint& direction);
+
+  /// Ascending s.
+  [[nodiscard]] std::span<const SpawnedClass> classes() const { return classes_; }
+  /// The leaf's state at s = 0+.
+  [[nodiscard]] bool starts_inside(csg::LeafIndex leaf) const { return starts_inside_[leaf] != 0; }
+  /// Where a ray starts that is spawned at a class of this one.
+  [[nodiscard]] ExactStart start_on(std::size_t cls) const;
+
+ private:
+  struct CarrierRoots {
+    int sign = 0;  ///< of f at s = 0+; 0 if the ray lies in the carrier
+    std::vector<poly::IsolatedRoot> roots;
+  };
+  // None if that many bits do not suffice.
+  [[nodiscard]] std::optional<CarrierRoots> roots_of(surface::CarrierIndex carrier,
+                                                     surface::EnclosedRayMonomials& ray) const;
+  bool find_with(int bits);
+
+  const scene::Scene* scene_;
+  ExactStart start_;
+  geometry::ExactPoint direction_;
+  std::vector<SpawnedClass> classes_;
+  std::vector<std::uint8_t> starts_inside_;
+};
+
+}  // namespace lamina::method

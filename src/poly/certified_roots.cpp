@@ -1,0 +1,181 @@
+#include "poly/certified_roots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace lamina::poly {
+namespace {
+
+using number::Enclosure;
+using number::Integer;
+using number::Interval;
+using number::Rational;
+
+using Coefficients = std::vector<Interval>;
+
+// Where an interval is cut, in sixteenths: the middle, or else where no root is near.
+constexpr std::array<unsigned, 5> kCuts{8, 7, 9, 5, 11};
+
+// Is the sign of an end of the interval known, and not zero?
+bool is_certain(const Interval& end) {
+  const auto sign = end.sign();
+  return sign && *sign != 0;
+}
+
+// The most sign changes that coefficients in these intervals can have.
+int most_sign_changes(const Coefficients& b) {
+  constexpr int kNever = -1;
+  std::array<int, 2> most{kNever, kNever};  // by the last sign: minus, plus
+  for (const Interval& coefficient : b) {
+    const auto sign = coefficient.sign();
+    if (sign && *sign == 0) {
+      continue;
+    }
+    const std::array<int, 2> before = most;
+    for (const int s : {0, 1}) {
+      if (sign && (*sign > 0) != (s == 1)) {
+        most[s] = kNever;
+        continue;
+      }
+      const int changed = before[1 - s] == kNever ? kNever : before[1 - s] + 1;
+      most[s] = std::max({before[s], changed, 0});
+    }
+    if (!sign) {  // it may be zero, too
+      most = {std::max(most[0], before[0]), std::max(most[1], before[1])};
+    }
+  }
+  return std::max({most[0], most[1], 0});
+}
+
+struct Halves {
+  Coefficients left;
+  Coefficients right;
+};
+
+// De Casteljau's algorithm at `cut` sixteenths of the interval.
+Halves split(Coefficients b, unsigned cut) {
+  Halves halves;
+  halves.left.reserve(b.size());
+  halves.right.reserve(b.size());
+  while (!b.empty()) {
+    halves.left.push_back(b.front());
+    halves.right.push_back(b.back());
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+      b[i] = (Integer(16 - cut) * b[i] + Integer(cut) * b[i + 1]) / 16;
+    }
+    b.pop_back();
+  }
+  std::reverse(halves.right.begin(), halves.right.end());
+  return halves;
+}
+
+Rational cut_point(const Enclosure& bounds, unsigned cut) {
+  return bounds.lower + (bounds.upper - bounds.lower) * Rational(cut, 16);
+}
+
+}  // namespace
+
+struct IsolatedRoot::Isolation {
+  std::vector<IsolatedRoot> roots;
+
+  // The signs at both ends are certain. Returns false if the bits do not suffice.
+  bool isolate(Coefficients b, const Enclosure& bounds, int depth) {
+    const int most = most_sign_changes(b);
+    const bool changes = b.front().sign() != b.back().sign();
+    if (most == 0) {
+      return true;
+    }
+    if (most == 1 && changes) {
+      roots.push_back(IsolatedRoot(std::move(b), bounds));
+      return true;
+    }
+    if (depth == 0) {
+      return false;
+    }
+    for (const unsigned cut : kCuts) {
+      Halves halves = split(b, cut);
+      if (is_certain(halves.left.back())) {
+        const Rational middle = cut_point(bounds, cut);
+        return isolate(std::move(halves.left), {bounds.lower, middle}, depth - 1) &&
+               isolate(std::move(halves.right), {middle, bounds.upper}, depth - 1);
+      }
+    }
+    return false;
+  }
+};
+
+bool IsolatedRoot::refine() {
+  // Coefficients of few bits could be cut for ever; what is equal would never be given up.
+  const Integer finest = Integer(1) << bernstein_.front().bits();
+  if ((bounds_.upper - bounds_.lower) * finest < 1) {
+    return false;
+  }
+  for (const unsigned cut : kCuts) {
+    Halves halves = split(bernstein_, cut);
+    if (!is_certain(halves.left.back())) {
+      continue;
+    }
+    const Rational middle = cut_point(bounds_, cut);
+    const bool on_the_left = halves.left.front().sign() != halves.left.back().sign();
+    bernstein_ = std::move(on_the_left ? halves.left : halves.right);
+    (on_the_left ? bounds_.upper : bounds_.lower) = middle;
+    return true;
+  }
+  return false;
+}
+
+std::optional<std::vector<IsolatedRoot>> positive_roots(std::vector<Interval> ascending) {
+  if (ascending.empty() || !is_certain(ascending.front()) || !is_certain(ascending.back())) {
+    return std::nullopt;
+  }
+  // With s = u / (1 - u), c_i s^i (1-u)^n is c_i / binomial(n, i) times a Bernstein polynomial.
+  const std::size_t n = ascending.size() - 1;
+  unsigned long binomial = 1;
+  for (std::size_t i = 0; i <= n; ++i) {
+    ascending[i] = ascending[i] / binomial;
+    binomial = binomial * (n - i) / (i + 1);
+  }
+  const int depth = ascending.front().bits() / 2;
+  IsolatedRoot::Isolation isolation;
+  if (!isolation.isolate(std::move(ascending), {0, 1}, depth)) {
+    return std::nullopt;
+  }
+  return std::move(isolation.roots);
+}
+
+std::optional<std::strong_ordering> compare(IsolatedRoot& a, IsolatedRoot& b) {
+  while (true) {
+    if (a.bounds().upper <= b.bounds().lower) {
+      return std::strong_ordering::less;
+    }
+    if (b.bounds().upper <= a.bounds().lower) {
+      return std::strong_ordering::greater;
+    }
+    const auto width = [](const IsolatedRoot& root) {
+      return Rational(root.bounds().upper - root.bounds().lower);
+    };
+    const bool a_is_wider = width(a) >= width(b);
+    if (!(a_is_wider ? a : b).refine() && !(a_is_wider ? b : a).refine()) {
+      return std::nullopt;
+    }
+  }
+}
+
+std::optional<Enclosure> enclosure(IsolatedRoot root, int bits) {
+  const Integer scale = Integer(1) << bits;
+  while (true) {
+    const auto& [lower, upper] = root.bounds();
+    if (upper < 1) {
+      const Enclosure s{Rational(lower / (1 - lower)), Rational(upper / (1 - upper))};
+      if ((s.upper - s.lower) * scale <= std::max(Rational(1), s.lower)) {
+        return s;
+      }
+    }
+    if (!root.refine()) {
+      return std::nullopt;
+    }
+  }
+}
+
+}  // namespace lamina::poly

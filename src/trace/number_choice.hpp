@@ -1,0 +1,35 @@
+// A number type without its type: what tables and the program choose from.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "method/tracer.hpp"
+#include "scene/rounding.hpp"
+#include "trace/ray_path.hpp"
+
+namespace lamina::trace {
+
+struct NumberChoice {
+  std::string name;
+  int significand_bits = 0;  ///< 0 for exact types
+  std::function<std::unique_ptr<method::Tracer>(const scene::Scene&, const poly::Solvers&)>
+      make_tracer;
+  scene::Rounding round;
+  /// None for exact types: the point that a ray is spawned at is no rational one.
+  std::function<std::unique_ptr<RayPath>(const scene::Scene&, const poly::Solvers&)> make_path{};
+};
+
+template <number::RealNumber Number>
+NumberChoice number_choice() {
+  using Traits = number::number_traits<Number>;
+  NumberChoice choice{Traits::name(), Traits::kSignificandBits, method::make_tracer<Number>,
+                      scene::rounding<Number>};
+  if constexpr (number::RoundedNumber<Number>) {
+    choice.make_path = make_ray_path<Number>;
+  }
+  return choice;
+}
+
+}  // namespace lamina::trace
