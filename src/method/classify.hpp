@@ -32,7 +32,7 @@ struct Inherited {
 
 /// Which leaves changed at a hit: enough to have the state before it from the one after it.
 struct Hit {
-  std::vector<csg::LeafIndex> group;   ///< events processed at once, in order
+  std::vector<csg::LeafIndex> group;   ///< by events processed at once, in order
   std::vector<csg::LeafIndex> passed;  ///< then crossed by the look-ahead of W&T 3.6
 };
 
@@ -95,7 +95,7 @@ class Classifier {
   bool cross(const Method& method, std::size_t i, std::uint32_t group,
              std::vector<csg::LeafIndex> Hit::*changed) {
     const Crossing<Number>& crossing = crossings_[i];
-    if (!ahead(i) && inherited_.takes(crossing.leaf)) {
+    if (inherited_.takes(crossing.leaf) && !ahead(i)) {
       return false;
     }
     const bool in = enters(method, crossing);

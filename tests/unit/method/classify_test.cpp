@@ -172,6 +172,18 @@ TEST(ClassifyTest, LookAheadEndsAtAnOpaqueMedium) {
             "-; 1 leaf 0 ->stone; 1 leaf 4 stone>water; 5 leaf 5 water>-; -");
 }
 
+// Leaf 3 ends where the others begin: its surface is not passed, and the printed look-ahead stops
+// there.
+TEST(ClassifyTest, LookAheadForAllGoesOnBehindWhatIsNotPassed) {
+  const std::string scene = kClear + "add() {\n" + slab("glass", "1", "3") + "intersection() {\n" +
+                            slab("glass", "1/2", "1") + slab("glass", "50", "60") + "}\n" +
+                            slab("water", "1", "4") + "}";
+  EXPECT_EQ(seen(scene, wyvill_trotman()),
+            "-; 2 leaf 0 ->glass; 2 leaf 6 glass>water; 5 leaf 7 water>-; -");
+  EXPECT_EQ(seen(scene, spelled("wyvill-trotman:look-ahead-all")),
+            "-; 2 leaf 0 ->water; 5 leaf 7 water>-; -");
+}
+
 // A surface that lies ahead is not passed, however near.
 TEST(ClassifyTest, LookAheadLeavesWhatIsAhead) {
   const std::string scene =

@@ -34,6 +34,21 @@ TEST(MethodTest, ReadsAReferenceDistance) {
   EXPECT_EQ(parity.look_ahead, LookAhead::None);
 }
 
+TEST(MethodTest, ReadsWhatSpawnedRaysTakeOver) {
+  EXPECT_EQ(parse_method("regularized").secondary, Secondary::Parity);
+  EXPECT_EQ(parse_method("wyvill-trotman").secondary, Secondary::Inherit);
+  EXPECT_FALSE(parse_method("wyvill-trotman").keeps_hit_leaf);
+  const Method all = parse_method("wyvill-trotman:look-ahead-all:secondary:hybrid:keeps-hit-leaf");
+  EXPECT_EQ(all.look_ahead, LookAhead::All);
+  EXPECT_EQ(all.secondary, Secondary::Hybrid);
+  EXPECT_TRUE(all.keeps_hit_leaf);
+  EXPECT_EQ(parse_method("wyvill-trotman:secondary:cluster").secondary, Secondary::Cluster);
+  for (const char* text : {"wyvill-trotman:secondary", "wyvill-trotman:secondary:none",
+                           "regularized:secondary:cluster", "roth:keeps-hit-leaf"}) {
+    EXPECT_NE(error_of(text).find("\n  wyvill-trotman:secondary:S"), std::string::npos) << text;
+  }
+}
+
 TEST(MethodTest, RefusesAReferenceThatIsNone) {
   for (const char* text :
        {"wyvill-trotman:reference", "wyvill-trotman:reference:0", "wyvill-trotman:reference:-1"}) {
