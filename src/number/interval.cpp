@@ -21,6 +21,8 @@ mpfr_prec_t wider(mpfi_srcptr a, mpfi_srcptr b) {
 
 Interval::Interval(mpfr_prec_t bits) { mpfi_init2(value_, bits); }
 
+Interval::Interval() : Interval(Rational(0), MPFR_PREC_MIN) {}
+
 Interval::Interval(const Rational& value, int bits) : Interval(static_cast<mpfr_prec_t>(bits)) {
   mpfi_set_q(value_, value.backend().data());
 }

@@ -13,6 +13,8 @@ namespace lamina::number {
 /// number of bits (MPFI). Operations round to the larger number of bits of the two.
 class Interval {
  public:
+  /// Zero.
+  Interval();
   /// The narrowest interval of that many bits around the value; exact if they hold it.
   Interval(const Rational& value, int bits);
   Interval(const Enclosure& bounds, int bits);

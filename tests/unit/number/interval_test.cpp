@@ -18,6 +18,8 @@ TEST(IntervalTest, HoldsWhatItsBitsHoldExactly) {
   EXPECT_EQ(value.bits(), kBits);
 }
 
+TEST(IntervalTest, IsZeroByDefault) { EXPECT_EQ(Interval().sign(), 0); }
+
 TEST(IntervalTest, EnclosesOperationsNarrowly) {
   const Rational a(1, 3);
   const Rational b(-22, 7);
