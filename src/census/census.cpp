@@ -112,25 +112,13 @@ class TaskRun {
       Cell& cell = cell_of(m, n);
       cell.add(verdict);
       wrong_[m] = verdict[Artifact::FirstWrong] > 0;
-      if (wrong_[m]) {
+      if (*wrong_[m]) {
         ++cell.caused[static_cast<std::size_t>(attribution_.cause(m, n))];
       }
       note_worst(cell, verdict, task_, ray);
     }
-    count_pairs(n);
+    count_pairs(census_, n, wrong_);
     count_orders(*lane.tracer, n);
-  }
-
-  void count_pairs(std::size_t n) {
-    const std::size_t methods = plan_.methods.size();
-    auto pair =
-        census_.pairs.begin() + static_cast<std::ptrdiff_t>(n * methods * (methods - 1) / 2);
-    for (std::size_t a = 0; a < methods; ++a) {
-      for (std::size_t b = a + 1; b < methods; ++b, ++pair) {
-        pair->only_first_wrong += wrong_[a] && !wrong_[b] ? 1 : 0;
-        pair->only_second_wrong += wrong_[b] && !wrong_[a] ? 1 : 0;
-      }
-    }
   }
 
   void count_orders(method::Tracer& tracer, std::size_t n) {
@@ -151,11 +139,25 @@ class TaskRun {
   Attribution attribution_;
   OrderProbe orders_;
   std::vector<Lane> lanes_;
-  std::vector<bool> wrong_;              // first interface, by method
-  std::vector<method::Report> reports_;  // by method
+  std::vector<std::optional<bool>> wrong_;  // first interface, by method
+  std::vector<method::Report> reports_;     // by method
 };
 
 }  // namespace
+
+void count_pairs(Census& census, std::size_t number,
+                 const std::vector<std::optional<bool>>& wrong) {
+  auto pair = census.pairs.begin() +
+              static_cast<std::ptrdiff_t>(number * wrong.size() * (wrong.size() - 1) / 2);
+  for (std::size_t a = 0; a < wrong.size(); ++a) {
+    for (std::size_t b = a + 1; b < wrong.size(); ++b, ++pair) {
+      if (wrong[a] && wrong[b]) {
+        pair->only_first_wrong += *wrong[a] && !*wrong[b] ? 1 : 0;
+        pair->only_second_wrong += *wrong[b] && !*wrong[a] ? 1 : 0;
+      }
+    }
+  }
+}
 
 void Cell::add(const Verdict& verdict) {
   ++rays;

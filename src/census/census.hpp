@@ -98,6 +98,10 @@ struct Task {
 };
 using TaskMaker = std::function<Task(std::size_t)>;
 
+/// Counts one ray's pairs in number type `number`: wrong[m] says whether method m has its first
+/// visible interface wrong. Methods that are not judged on the ray are in no pair.
+void count_pairs(Census& census, std::size_t number, const std::vector<std::optional<bool>>& wrong);
+
 /// No rays yet: the cells and pairs of the plan.
 Census empty_census(const Plan& plan);
 

@@ -43,7 +43,7 @@ class SpawnedRun {
           wrong_[m] = follow(ray, *paths_[n], plan_.methods[m],
                              census_.cells[m * plan_.numbers.size() + n]);
         }
-        count_pairs(n);
+        count_pairs(census_, n, wrong_);
       }
     }
     return std::move(census_);
@@ -143,21 +143,6 @@ class SpawnedRun {
       first_is_decided_ = spawned_[0].find(start, direction);
     }
     return first_is_decided_;
-  }
-
-  // Of the rays that both of two methods are judged on.
-  void count_pairs(std::size_t n) {
-    const std::size_t methods = plan_.methods.size();
-    auto pair =
-        census_.pairs.begin() + static_cast<std::ptrdiff_t>(n * methods * (methods - 1) / 2);
-    for (std::size_t a = 0; a < methods; ++a) {
-      for (std::size_t b = a + 1; b < methods; ++b, ++pair) {
-        if (wrong_[a] && wrong_[b]) {
-          pair->only_first_wrong += *wrong_[a] && !*wrong_[b] ? 1 : 0;
-          pair->only_second_wrong += *wrong_[b] && !*wrong_[a] ? 1 : 0;
-        }
-      }
-    }
   }
 
   const Plan& plan_;

@@ -5,24 +5,11 @@
 #include <algorithm>
 
 #include "base/contract.hpp"
+#include "base/text.hpp"
 #include "number/all_numbers.hpp"
 #include "trace/number_choice.hpp"
 
 namespace lamina::cli {
-namespace {
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-}  // namespace
-
 const std::vector<trace::NumberChoice>& all_numbers() {
 #define LAMINA_CHOICE(Number) trace::number_choice<Number>(),
   static const std::vector<trace::NumberChoice> all{LAMINA_FOR_EACH_NUMBER(LAMINA_CHOICE)};
@@ -52,7 +39,7 @@ std::vector<trace::NumberChoice> parse_numbers(const std::string& text) {
     return all_numbers();
   }
   std::vector<trace::NumberChoice> numbers;
-  for (const std::string& name : split(text)) {
+  for (const std::string& name : base::split(text, ',')) {
     numbers.push_back(parse_number(name));
   }
   return numbers;
@@ -70,7 +57,7 @@ method::Method parse_method(const std::string& text) {
 
 std::vector<method::Method> parse_methods(const std::string& text) {
   std::vector<method::Method> methods;
-  for (const std::string& name : split(text == "all" ? kAllMethods : text)) {
+  for (const std::string& name : base::split(text == "all" ? kAllMethods : text, ',')) {
     methods.push_back(parse_method(name));
   }
   return methods;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/contract.hpp"
+#include "base/text.hpp"
 
 namespace lamina::method {
 
@@ -67,12 +68,7 @@ constexpr std::array<std::pair<std::string_view, Secondary>, 4> kSecondaries{
 }  // namespace
 
 Method parse_method(std::string_view text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  const std::vector<std::string> parts = base::split(text, ':');
   const auto fail = [&text](std::string_view why) {
     std::string message = fmt::format("method '{}': {}; methods are:", text, why);
     for (const MethodHelp& help : method_help()) {

@@ -7,23 +7,10 @@
 #include <charconv>
 
 #include "base/contract.hpp"
+#include "base/text.hpp"
 #include "scene/stress_families.hpp"
 
 namespace lamina::scene {
-namespace {
-
-std::vector<std::string> split(std::string_view text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-}  // namespace
-
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
       {"coincident-faces", "", "two or three solids that share faces, under all operators",
@@ -52,7 +39,7 @@ const std::vector<Family>& families() {
 }
 
 FamilyMember family_member(const std::string& family, std::uint64_t seed, std::uint64_t case_id) {
-  std::vector<std::string> parts = split(family);
+  std::vector<std::string> parts = base::split(family, ':');
   const std::string name = parts.front();
   parts.erase(parts.begin());
   for (const Family& known : families()) {
@@ -77,7 +64,8 @@ Scene open_scene(const std::string& spelling, const ReadOptions& options) {
   if (!spelling.starts_with(kPrefix)) {
     return read_scene(spelling, options);
   }
-  std::vector<std::string> parts = split(std::string_view(spelling).substr(kPrefix.size()));
+  std::vector<std::string> parts =
+      base::split(std::string_view(spelling).substr(kPrefix.size()), ':');
   std::array<std::uint64_t, 2> numbers{};  // the last two: seed and case
   bool good = parts.size() > numbers.size();
   for (std::size_t i = 0; good && i < numbers.size(); ++i) {
