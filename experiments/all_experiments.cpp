@@ -30,6 +30,12 @@ const std::vector<Experiment>& all_experiments() {
                                            four_cases(),
                                            coincident_reflection(),
                                            coincident_glass(),
+                                           self_intersection(),
+                                           grazing_spawn(),
+                                           bubble(),
+                                           media(),
+                                           ray_tree_depth(),
+                                           same_medium(),
                                            real_models()};
   return all;
 }

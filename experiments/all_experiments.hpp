@@ -5,6 +5,7 @@
 
 namespace lamina::experiments {
 
+Experiment bubble();
 Experiment coincident_faces();
 Experiment coincident_glass();
 Experiment coincident_reflection();
@@ -13,11 +14,16 @@ Experiment epsilon_sweep();
 Experiment far_origin();
 Experiment four_cases();
 Experiment ghost_cylinders();
+Experiment grazing_spawn();
+Experiment media();
 Experiment near_tangent();
 Experiment order();
 Experiment precision();
+Experiment ray_tree_depth();
 Experiment real_models();
+Experiment same_medium();
 Experiment self_difference();
+Experiment self_intersection();
 Experiment self_sum();
 Experiment start_state();
 Experiment thin_wall();

@@ -22,16 +22,6 @@ struct Options {
   std::string numbers = "float,double,exact";
 };
 
-trace::ImageSize parse_size(const std::string& text) {
-  trace::ImageSize size;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 ||
-      size.width < 1 || size.height < 1) {
-    throw base::InputError(fmt::format("--size '{}': write it as WxH, as in 640x480", text));
-  }
-  return size;
-}
-
 void run(const Options& options) {
   if (options.ray.empty() == options.pixel.empty()) {
     throw base::InputError(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "base/contract.hpp"
@@ -49,6 +50,16 @@ geometry::ExactRay parse_ray(std::string_view text) {
   } catch (const base::InputError& error) {
     throw base::InputError(fmt::format("--ray \"{}\": {}", text, error.what()));
   }
+}
+
+trace::ImageSize parse_size(const std::string& text) {
+  trace::ImageSize size;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 ||
+      size.width < 1 || size.height < 1) {
+    throw base::InputError(fmt::format("--size '{}': write it as WxH, as in 640x480", text));
+  }
+  return size;
 }
 
 }  // namespace lamina::cli

@@ -1,4 +1,4 @@
-// Ray and point files, and rays on the command line.
+// Ray and point files, and rays and sizes on the command line.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/vector.hpp"
+#include "trace/camera.hpp"
 
 namespace lamina::cli {
 
@@ -18,5 +19,8 @@ std::vector<geometry::ExactPoint> read_points(const std::string& path);
 
 /// "ox oy oz dx dy dz".
 geometry::ExactRay parse_ray(std::string_view text);
+
+/// "WxH", as in 640x480.
+trace::ImageSize parse_size(const std::string& text);
 
 }  // namespace lamina::cli

@@ -24,6 +24,8 @@ struct Inherited {
   static constexpr std::uint8_t kAnew = 2;
 
   std::span<const std::uint8_t> states;  ///< empty: all anew
+  /// Are events that contradict a state that is taken over rejected, whatever the method's check?
+  bool validated = false;
 
   [[nodiscard]] bool takes(csg::LeafIndex leaf) const {
     return !states.empty() && states[leaf] != kAnew;
@@ -102,7 +104,9 @@ class Classifier {
     const csg::Medium before = state_.medium();
     const bool was_inside = state_.inside(crossing.leaf);
     const bool consistent = was_inside != in;
-    const bool accepted = consistent || method.check == Check::None;
+    const bool checked = method.check == Check::Validity ||
+                         (inherited_.validated && inherited_.takes(crossing.leaf));
+    const bool accepted = consistent || !checked;
     if (accepted) {
       if (method.status == Status::Carried) {
         state_.set(crossing.leaf, in);

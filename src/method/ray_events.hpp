@@ -40,7 +40,9 @@ class RayEvents {
   RayEvents(const scene::Scene& scene, const poly::Solvers& solvers);
 
   void find(const geometry::ExactRay& ray);
-  void find(const geometry::Ray<Number>& ray);
+  /// The ray starts on the surface of the leaves in `left`: their root t = 0 is divided out,
+  /// and stands among the crossings as exactly 0.
+  void find(const geometry::Ray<Number>& ray, std::span<const csg::LeafIndex> left = {});
   /// Sorts the crossings anew, ties by rank[leaf].
   void reorder(std::span<const csg::LeafIndex> rank);
 
@@ -75,6 +77,15 @@ class RayEvents {
   /// The gradient of the leaf's f at a point of the world; outward for a closed solid.
   [[nodiscard]] geometry::Vector3<Number> gradient(csg::LeafIndex leaf,
                                                    const geometry::Vector3<Number>& point) const;
+  /// A bound on the distance from a point of the world, which is near the leaf's surface, beyond
+  /// which the surface does not reach, and f computed there has its exact sign, to first order in
+  /// the distance: (|f| + 3 gamma_n F) / |gradient|, where F is f with all signs made positive and
+  /// n counts the roundings on the way from the scene's numbers to f (Higham 2002, 3.1). The form
+  /// is that of pbrt 4e, 6.8; it takes the residual |f| where pbrt first moves the point onto
+  /// the surface. Of the three F's, one is for f at the point, one for f where the ray starts, and
+  /// one for rounding that start.
+  [[nodiscard]] Number distance_bound(csg::LeafIndex leaf,
+                                      const geometry::Vector3<Number>& point) const;
 
  private:
   struct LeafData {

@@ -29,7 +29,8 @@ void RayEvents<Number>::find(const geometry::ExactRay& ray) {
 }
 
 template <number::RealNumber Number>
-void RayEvents<Number>::find(const geometry::Ray<Number>& ray) {
+void RayEvents<Number>::find(const geometry::Ray<Number>& ray,
+                             std::span<const csg::LeafIndex> left) {
   ray_ = ray;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     local_rays_[i] = {frames_[i].point(ray.origin), frames_[i].direction(ray.direction)};
@@ -38,7 +39,8 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray) {
   for (csg::LeafIndex leaf = 0; leaf < leaves_.size(); ++leaf) {
     const auto& surface = leaves_[leaf].surface;
     const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
-    const auto found = surface.crossings(local, solvers_);
+    const bool is_left = std::find(left.begin(), left.end(), leaf) != left.end();
+    const auto found = surface.crossings(local, solvers_, is_left);
     starts_inside_[leaf] = found.starts_inside ? 1 : 0;
     in_carrier_[leaf] = found.in_carrier ? 1 : 0;
     bool inside = found.starts_inside;
@@ -91,6 +93,18 @@ geometry::Vector3<Number> RayEvents<Number>::gradient(
   const LeafData& data = leaves_[leaf];
   const surface::RoundedMap<Number>& frame = frames_[data.frame];
   return frame.gradient_to_world(data.surface.gradient(frame.point(point)));
+}
+
+template <number::RealNumber Number>
+Number RayEvents<Number>::distance_bound(csg::LeafIndex leaf,
+                                         const geometry::Vector3<Number>& point) const {
+  using std::abs;
+  using std::sqrt;
+  const LeafData& data = leaves_[leaf];
+  const surface::RoundedMap<Number>& frame = frames_[data.frame];
+  const geometry::Vector3<Number> across = gradient(leaf, point);
+  const Number error = data.surface.rounding_error(frame.magnitude(point));
+  return (abs(data.surface.value(frame.point(point))) + 3 * error) / sqrt(dot(across, across));
 }
 
 }  // namespace lamina::method

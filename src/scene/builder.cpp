@@ -28,7 +28,14 @@ const Signature kNoArguments{"it without arguments"};
 const Signature kRender{"render(convexity = number)", {"convexity"}};
 const Signature kColor{R"(color(c = [r, g, b, a]) or color("name", alpha = number))",
                        {"c", "alpha"}};
-const Signature kMaterial{R"(material("name", color = [r, g, b, a]))", {"name", "color"}, 1};
+const Signature kMaterial{
+    R"(material("name", color = [r, g, b, a], index = number, mirror = 0 .. 1, ambient = 0 .. 1, )"
+    R"(diffuse = 0 .. 1, specular = 0 .. 1, shininess = number, texture = "wood" | "marble" | )"
+    R"("checker", second_color = [r, g, b], grain = length))",
+    {"name", "color"},
+    1,
+    {"index", "mirror", "ambient", "diffuse", "specular", "shininess", "texture", "second_color",
+     "grain"}};
 const Signature kCamera{
     "camera(eye = [x, y, z], look_at = [x, y, z], up = [x, y, z], fov = degrees)",
     {"eye", "look_at", "up", "fov"},
@@ -63,6 +70,20 @@ bool left_out(const Node& node) { return node.has_modifier('%') || node.has_modi
 bool is_declaration(const Node& node) {
   return node.name == "camera" || node.name == "light" || node.name == "background" ||
          (node.name == "material" && node.ended_by_semicolon);
+}
+
+struct TextureName {
+  std::string_view name;
+  Texture texture;
+};
+constexpr std::array kTextures{TextureName{"wood", Texture::Wood},
+                               TextureName{"marble", Texture::Marble},
+                               TextureName{"checker", Texture::Checker}};
+
+std::array<double, 4> rgba(const Color& color) {
+  using number::nearest_double;
+  return {nearest_double(color[0]), nearest_double(color[1]), nearest_double(color[2]),
+          nearest_double(color[3])};
 }
 
 std::array<double, 3> rgb(const Color& color) {
@@ -205,18 +226,68 @@ class Builder {
     scene_.camera = camera;
   }
 
-  // The medium of a material node, which may state its colour.
+  // The medium of a material node, which may state its look.
   Medium material(const Arguments& arguments) {
     const std::string name = *arguments.text("name");
     if (name.empty()) {
       arguments.fail_at("name", "the name must not be empty");
     }
     const Medium medium = medium_named(name, arguments);
-    const std::optional<Color> color = arguments.color("color");
-    if (color && !materials_.set_color(medium, *color)) {
-      arguments.fail(fmt::format("`{}` has another colour already", name));
+    const std::optional<Material> look = look_of(arguments);
+    if (look && !materials_.set_look(medium, *look)) {
+      arguments.fail(fmt::format("`{}` has another look already", name));
     }
     return medium;
+  }
+
+  // What the arguments state of a material's look; nothing if they state nothing.
+  static std::optional<Material> look_of(const Arguments& arguments) {
+    Material look;
+    bool stated = false;
+    const auto read = [&](std::string_view parameter, double& value, double most) {
+      if (const std::optional<Rational> given = arguments.size(parameter)) {
+        value = number::nearest_double(*given);
+        stated = true;
+        if (value > most) {
+          arguments.fail_at(parameter, fmt::format("`{}` must be from 0 to {}", parameter, most));
+        }
+      }
+    };
+    read("mirror", look.mirror, 1);
+    read("ambient", look.ambient, 1);
+    read("diffuse", look.diffuse, 1);
+    read("specular", look.specular, 1);
+    read("shininess", look.shininess, 1e6);
+    read("grain", look.grain, 1e300);
+    if (look.grain <= 0) {
+      arguments.fail_at("grain", "`grain` must be positive");
+    }
+    if (const std::optional<Rational> index = arguments.number("index")) {
+      if (*index <= 0) {
+        arguments.fail_at("index", "`index`, the index of refraction, must be positive");
+      }
+      look.refractive_index = *index;
+      stated = true;
+    }
+    if (const std::optional<Color> color = arguments.color("color")) {
+      look.color = rgba(*color);
+      stated = true;
+    }
+    if (const std::optional<Color> color = arguments.color("second_color")) {
+      look.second_color = rgb(*color);
+      stated = true;
+    }
+    if (const std::optional<std::string> texture = arguments.text("texture")) {
+      const auto* const found =
+          std::find_if(kTextures.begin(), kTextures.end(),
+                       [&texture](const TextureName& known) { return known.name == *texture; });
+      if (found == kTextures.end()) {
+        arguments.fail_at("texture", "`texture` must be \"wood\", \"marble\" or \"checker\"");
+      }
+      look.texture = found->texture;
+      stated = true;
+    }
+    return stated ? std::optional(look) : std::nullopt;
   }
 
   Medium medium_named(const std::string& name, const Arguments& user) {
@@ -273,8 +344,10 @@ class Builder {
         arguments.fail_at("alpha", "`alpha` must be from 0 to 1");
       }
       context.medium = medium_named(canonical_text(*color), arguments);
-      if (!materials_.set_color(context.medium, *color)) {
-        arguments.fail("a material has the name of this colour, and another colour");
+      Material look;
+      look.color = rgba(*color);
+      if (!materials_.set_look(context.medium, look)) {
+        arguments.fail("a material has the name of this colour, and another look");
       }
     }
     return combine(Operator::Add, "add", children(node), context);

@@ -8,6 +8,7 @@
 
 #include "base/contract.hpp"
 #include "base/text.hpp"
+#include "scene/ray_tree_families.hpp"
 #include "scene/stress_families.hpp"
 
 namespace lamina::scene {
@@ -32,6 +33,15 @@ const std::vector<Family>& families() {
       {"cleared-face", "", "a face that a slab on it and a ball in the slab are cleared from",
        cleared_face},
       {"glass-stack", ":K", "K transparent slabs whose tops lie in one plane", glass_stack},
+      {"same-medium", ":left|right|flat:N", "N slabs of two materials, their tops in one plane",
+       same_medium},
+      {"single", ":SOLID:K", "a box, cylinder, cone, ball or ring, times 10^K", single},
+      {"distant-ball", ":K", "a unit ball 10^K from the origin", distant_ball},
+      {"bubble", ":plain|doubled", "a block less a ball, once or twice (W&T Figure 8)", bubble},
+      {"well", ":plain|doubled", "a deep square well", well},
+      {"cube-corner", ":plain|doubled", "three faces that meet in a corner", cube_corner},
+      {"plates", ":N", "N plates of different glasses, one on the other", plates},
+      {"onion", ":N", "N balls of different glasses around one centre", onion},
       {"unclosed", ":cylinder|cone|slab", "solids of half-spaces that are not closed", unclosed},
       {"round", ":ball|ring", "a unit sphere, or a torus of radii 1 and 1/4", round_solid},
   };

@@ -1,11 +1,13 @@
 #include "scene/materials.hpp"
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace lamina::scene {
 
-MaterialTable::MaterialTable() : materials_{{"", {0, 0, 0, 0}}}, has_color_{false} {}
+MaterialTable::MaterialTable() : materials_(1), has_look_{false} {
+  materials_[csg::kEmpty].color = {0, 0, 0, 0};
+}
 
 std::optional<csg::Medium> MaterialTable::named(const std::string& name) {
   const auto known = medium_of_name_.find(name);
@@ -17,21 +19,18 @@ std::optional<csg::Medium> MaterialTable::named(const std::string& name) {
   }
   const auto medium = static_cast<csg::Medium>(materials_.size());
   medium_of_name_.emplace(name, medium);
-  materials_.push_back({name});
-  has_color_.push_back(false);
+  materials_.emplace_back().name = name;
+  has_look_.push_back(false);
   return medium;
 }
 
-bool MaterialTable::set_color(csg::Medium medium, const Color& color) {
-  std::array<double, 4> rounded{};
-  std::transform(color.begin(), color.end(), rounded.begin(),
-                 [](const number::Rational& c) { return number::nearest_double(c); });
-  Material& material = materials_[medium];
-  if (has_color_[medium] && material.color != rounded) {
+bool MaterialTable::set_look(csg::Medium medium, Material look) {
+  look.name = materials_[medium].name;
+  if (has_look_[medium] && materials_[medium] != look) {
     return false;
   }
-  material.color = rounded;
-  has_color_[medium] = true;
+  materials_[medium] = std::move(look);
+  has_look_[medium] = true;
   return true;
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/colors.hpp"
 #include "scene/scene.hpp"
 
 namespace lamina::scene {
@@ -18,14 +17,14 @@ class MaterialTable {
   /// The medium of that name, which is not empty. Nothing if there are too many.
   std::optional<csg::Medium> named(const std::string& name);
 
-  /// Whether the material can have the colour: it has no other one yet.
-  [[nodiscard]] bool set_color(csg::Medium medium, const Color& color);
+  /// Whether the material can have this look, its name apart: it has no other one yet.
+  [[nodiscard]] bool set_look(csg::Medium medium, Material look);
 
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
 
  private:
   std::vector<Material> materials_;
-  std::vector<bool> has_color_;  // by medium
+  std::vector<bool> has_look_;  // by medium
   std::map<std::string, csg::Medium> medium_of_name_;
 };
 

@@ -2,12 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "base/contract.hpp"
 
 namespace lamina::scene {
 
 using base::SeededStream;
+using number::Rational;
 using Point = geometry::Vector3<double>;
+
+const std::string& word(const std::string& given, const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), given) == words.end()) {
+    throw base::InputError(fmt::format("'{}': one of {}", given, fmt::join(words, ", ")));
+  }
+  return given;
+}
+
+Rational positive(const std::string& text) {
+  const Rational value = number::parse_rational(text);
+  if (value.sign() <= 0) {
+    throw base::InputError(fmt::format("'{}': a number above 0", text));
+  }
+  return value;
+}
+
+std::int64_t whole(const std::string& text, std::int64_t low, std::int64_t high) {
+  const Rational value = number::parse_rational(text);
+  if (denominator(value) != 1 || value < low || value > high) {
+    throw base::InputError(fmt::format("'{}': a whole number from {} to {}", text, low, high));
+  }
+  return static_cast<std::int64_t>(number::nearest_double(value));
+}
 
 double Length::value() const {
   return static_cast<double>(numerator) / static_cast<double>(denominator);
@@ -81,6 +108,12 @@ std::string Placement::text() const {
 Point Placement::apply(const Point& p) const {
   const Point turned = rotation_ ? rotation_->apply(p) : p;
   return turned + Point{translation_[0].value(), translation_[1].value(), translation_[2].value()};
+}
+
+FamilyMember placed_member(const Placement& placement, const std::string& solid) {
+  return {placement.text() + solid + "\n", {}, [placement](const Point& p) {
+            return placement.apply(p);
+          }};
 }
 
 }  // namespace lamina::scene

@@ -3,12 +3,24 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/seeded_stream.hpp"
 #include "scene/families.hpp"
 
 namespace lamina::scene {
+
+/// What stands behind a family's name, one word each.
+using Parameters = std::vector<std::string>;
+
+/// What is given, if it is one of the words; else throws base::InputError that lists them.
+const std::string& word(const std::string& given, const std::vector<std::string>& words);
+/// A number above 0, exact; else throws base::InputError.
+number::Rational positive(const std::string& text);
+/// A whole number from low to high; else throws base::InputError.
+std::int64_t whole(const std::string& text, std::int64_t low, std::int64_t high);
 
 /// A rational as text and as a double, for the geometry of rays.
 struct Length {
@@ -63,5 +75,8 @@ class Placement {
   std::optional<Rotation> rotation_;
   std::array<Length, 3> translation_;
 };
+
+/// A solid of the scene language, placed.
+FamilyMember placed_member(const Placement& placement, const std::string& solid);
 
 }  // namespace lamina::scene

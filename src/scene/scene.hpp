@@ -13,11 +13,31 @@
 
 namespace lamina::scene {
 
+/// A pattern in space, of a material's colour and its second one.
+enum class Texture : std::uint8_t {
+  None,
+  Wood,    ///< rings around the z axis
+  Marble,  ///< wavy bands across x
+  Checker,
+};
+
+/// What Whitted's model of shading asks of a material. Factors are in 0 .. 1.
 struct Material {
   std::string name;
   std::array<double, 4> color{0.8, 0.8, 0.8, 1};  ///< red, green, blue, alpha in 0 .. 1
+  number::Rational refractive_index{1};
+  double ambient = 0.2;
+  double diffuse = 0.8;
+  double specular = 0.2;
+  double shininess = 30;  ///< exponent of the highlight's cosine
+  double mirror = 0;      ///< part of the light that is reflected
+  Texture texture = Texture::None;
+  std::array<double, 3> second_color{0, 0, 0};
+  double grain = 1;  ///< length of one period of the texture, in the world
 
   [[nodiscard]] bool opaque() const { return color[3] >= 1; }
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// One half-space of the tree.

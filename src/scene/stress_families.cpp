@@ -18,37 +18,6 @@ using Point = geometry::Vector3<double>;
 
 constexpr const char* kHalfWidth = "50";  // of what is wide
 
-// What is given, one of the words; or an error that lists them.
-const std::string& word(const std::string& given, const std::vector<std::string>& words) {
-  if (std::find(words.begin(), words.end(), given) == words.end()) {
-    throw base::InputError(fmt::format("'{}': one of {}", given, fmt::join(words, ", ")));
-  }
-  return given;
-}
-
-// A positive number, exact.
-Rational positive(const std::string& text) {
-  const Rational value = number::parse_rational(text);
-  if (value.sign() <= 0) {
-    throw base::InputError(fmt::format("'{}': a number above 0", text));
-  }
-  return value;
-}
-
-std::int64_t whole(const std::string& text, std::int64_t low, std::int64_t high) {
-  const Rational value = number::parse_rational(text);
-  if (denominator(value) != 1 || value < low || value > high) {
-    throw base::InputError(fmt::format("'{}': a whole number from {} to {}", text, low, high));
-  }
-  return static_cast<std::int64_t>(number::nearest_double(value));
-}
-
-FamilyMember placed_member(const Placement& placement, const std::string& solid) {
-  return {placement.text() + solid + "\n", {}, [placement](const Point& p) {
-            return placement.apply(p);
-          }};
-}
-
 // The half-spaces of a solid around the origin, each equation times `factor`.
 std::string from_equations(const std::string& solid, const Length& radius, int factor) {
   const Rational r(radius.numerator, radius.denominator);
@@ -220,6 +189,36 @@ FamilyMember glass_stack(const Parameters& parameters, std::uint64_t seed, std::
         i + 1, top, bottom);
   }
   return on_the_plane("add() {\n" + slabs + "}\n");
+}
+
+FamilyMember same_medium(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
+  const std::string& shape = word(parameters[0], {"left", "right", "flat"});
+  const std::int64_t count = whole(parameters[1], 2, 12);
+  SeededStream stream("scene/same-medium", seed, case_id);
+  std::vector<std::string> slabs;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Length depth{count * stream.integer(2, 12) + i, 7};  // all different: only tops coincide
+    const std::string top = below_plane(kTop, stream);
+    const std::string bottom =
+        below_plane(kTop - Rational(depth.numerator, depth.denominator), stream, -1);
+    slabs.push_back(fmt::format("material(\"{}\") intersection() {{ {} {} }}\n",
+                                i % 2 == 0 ? "a" : "b", top, bottom));
+  }
+  if (shape == "flat") {
+    return on_the_plane(fmt::format("add() {{\n{}}}\n", fmt::join(slabs, "")));
+  }
+  if (shape == "left") {
+    std::string sum = slabs[0];
+    for (std::size_t i = 1; i < slabs.size(); ++i) {
+      sum = fmt::format("add() {{\n{}{}}}\n", sum, slabs[i]);
+    }
+    return on_the_plane(sum);
+  }
+  std::string sum = slabs.back();
+  for (std::size_t i = slabs.size() - 1; i-- > 0;) {
+    sum = fmt::format("add() {{\n{}{}}}\n", slabs[i], sum);
+  }
+  return on_the_plane(sum);
 }
 
 FamilyMember slab(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {

@@ -2,14 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
-#include "scene/families.hpp"
+#include "scene/placement.hpp"
 
 namespace lamina::scene {
-
-using Parameters = std::vector<std::string>;
 
 /// SOLID, same | scaled: a box, cylinder, cone, sphere or torus added to itself, the second of
 /// another material (W&T Figure 14) and, scaled, three times as large at a third of the scale:
@@ -48,6 +44,11 @@ FamilyMember cleared_face(const Parameters&, std::uint64_t seed, std::uint64_t c
 /// K: so many transparent slabs of different materials and depths added up, the tops of all in
 /// the plane x + 2y + 3z = 7, each by another multiple of its equation. The plane is the patch.
 FamilyMember glass_stack(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
+
+/// left | right | flat, N: so many slabs of different depths added up, their tops in the plane
+/// x + 2y + 3z = 7, of two materials in turn; as a left-deep or right-deep chain of additions
+/// of two, or as one of N. All shapes have the same media. The plane is the patch.
+FamilyMember same_medium(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
 /// cylinder | cone | slab: solids whose leaves are not closed, not rotated: of radius 1 around
 /// the z axis, between z = -1 and 1; the cone has its apex at (0, 0, 1) and slope 1.

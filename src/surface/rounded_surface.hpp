@@ -21,6 +21,8 @@ class RoundedMap {
 
   [[nodiscard]] geometry::Vector3<Number> point(const geometry::Vector3<Number>& world) const;
   [[nodiscard]] geometry::Vector3<Number> direction(const geometry::Vector3<Number>& world) const;
+  /// The sum of the absolute terms of each coordinate of point(world).
+  [[nodiscard]] geometry::Vector3<Number> magnitude(const geometry::Vector3<Number>& world) const;
   /// A gradient in local coordinates as one in the world's: times the transposed linear part.
   [[nodiscard]] geometry::Vector3<Number> gradient_to_world(
       const geometry::Vector3<Number>& local) const;
@@ -43,11 +45,22 @@ class RoundedSurface {
  public:
   explicit RoundedSurface(const LocalSurface& exact);
 
-  /// Crossings with a ray in local coordinates; t is the same as in the world.
+  /// Crossings with a ray in local coordinates; t is the same as in the world. Of a ray that
+  /// `starts_on` the surface the root t = 0 is divided out, and given as exactly 0.
   [[nodiscard]] SurfaceCrossings<Number> crossings(const geometry::Ray<Number>& local,
-                                                   const poly::Solvers& solvers) const;
-  /// f(p) <= 0, evaluated in Number.
-  [[nodiscard]] bool inside(const geometry::Vector3<Number>& local) const;
+                                                   const poly::Solvers& solvers,
+                                                   bool starts_on = false) const;
+  /// f(p), evaluated in Number.
+  [[nodiscard]] Number value(const geometry::Vector3<Number>& local) const;
+  /// f(p) <= 0, by value().
+  [[nodiscard]] bool inside(const geometry::Vector3<Number>& local) const {
+    return value(local) <= 0;
+  }
+  /// A bound on the error of f, by value() or as a ray's polynomial at 0, at a point of the
+  /// world: gamma_n f(p) with all signs positive, n roundings from the scene's numbers on.
+  ///
+  /// Arguments: magnitude  RoundedMap::magnitude of the point.
+  [[nodiscard]] Number rounding_error(const geometry::Vector3<Number>& magnitude) const;
   /// The gradient of f, not normalised.
   [[nodiscard]] geometry::Vector3<Number> gradient(const geometry::Vector3<Number>& local) const;
 

@@ -30,6 +30,15 @@ geometry::Vector3<Number> RoundedMap<Number>::point(const geometry::Vector3<Numb
 }
 
 template <RoundedNumber Number>
+geometry::Vector3<Number> RoundedMap<Number>::magnitude(const geometry::Vector3<Number>& p) const {
+  using std::abs;
+  const auto row = [&p](const std::array<Number, 4>& r) -> Number {
+    return abs(r[0] * p.x) + abs(r[1] * p.y) + abs(r[2] * p.z) + abs(r[3]);
+  };
+  return {row(rows_[0]), row(rows_[1]), row(rows_[2])};
+}
+
+template <RoundedNumber Number>
 geometry::Vector3<Number> RoundedMap<Number>::gradient_to_world(
     const geometry::Vector3<Number>& g) const {
   const auto column = [&](std::size_t j) -> Number {
@@ -47,7 +56,8 @@ RoundedSurface<Number>::RoundedSurface(const LocalSurface& exact) : kind_(exact.
 
 template <RoundedNumber Number>
 SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<Number>& local,
-                                                           const poly::Solvers& solvers) const {
+                                                           const poly::Solvers& solvers,
+                                                           bool starts_on) const {
   const auto& o = local.origin;
   const auto& d = local.direction;
   std::array<Number, 5> f{};  // f along the ray, ascending powers of t; f[1] is halved for quadrics
@@ -85,10 +95,21 @@ SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<N
       break;
     }
   }
-  if (kind_ == Kind::Torus) {
+  if (starts_on && kind_ == Kind::Torus) {
+    result.roots =
+        poly::quartic_crossings<Number>({f[1], f[2], f[3], f[4], Number(0)}, solvers.quartic);
+    result.roots.cross(Number(0));
+  } else if (starts_on) {
+    result.roots =
+        poly::quadratic_crossings(Number(0), Number(f[2] / 2), Number(2 * f[1]), solvers.quadratic);
+    result.roots.cross(Number(0));
+  } else if (kind_ == Kind::Torus) {
     result.roots = poly::quartic_crossings(f, solvers.quartic);
   } else {
     result.roots = poly::quadratic_crossings(f[2], f[1], f[0], solvers.quadratic);
+  }
+  if (starts_on) {
+    f[0] = 0;
   }
   std::size_t degree = 4;
   while (degree > 0 && f[degree] == 0) {
@@ -96,24 +117,55 @@ SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<N
   }
   result.starts_inside = degree % 2 == 0 ? f[degree] < 0 : f[degree] > 0;
   result.in_carrier = degree == 0 && f[0] == 0;
+  if (result.in_carrier) {
+    result.roots = {};
+  }
   return result;
 }
 
 template <RoundedNumber Number>
-bool RoundedSurface<Number>::inside(const geometry::Vector3<Number>& p) const {
+Number RoundedSurface<Number>::value(const geometry::Vector3<Number>& p) const {
   switch (kind_) {
     case Kind::Plane:
-      return c_[0] * p.x + c_[1] * p.y + c_[2] * p.z + c_[3] <= 0;
+      return c_[0] * p.x + c_[1] * p.y + c_[2] * p.z + c_[3];
     case Kind::Quadric:
       return p.x * (c_[0] * p.x + c_[3] * p.y + c_[4] * p.z + c_[6]) +
-                 p.y * (c_[1] * p.y + c_[5] * p.z + c_[7]) + p.z * (c_[2] * p.z + c_[8]) + c_[9] <=
-             0;
+             p.y * (c_[1] * p.y + c_[5] * p.z + c_[7]) + p.z * (c_[2] * p.z + c_[8]) + c_[9];
     case Kind::Torus: {
       const Number k = dot(p, p) + (c_[0] - c_[1]) * (c_[0] + c_[1]);
-      return k * k - 4 * c_[0] * c_[0] * (p.x * p.x + p.y * p.y) <= 0;
+      return k * k - 4 * c_[0] * c_[0] * (p.x * p.x + p.y * p.y);
     }
   }
-  return false;
+  return Number(0);
+}
+
+template <RoundedNumber Number>
+Number RoundedSurface<Number>::rounding_error(const geometry::Vector3<Number>& p) const {
+  using std::abs;
+  // Roundings of a factor on its way: each local coordinate has 5 (its row's entry, a product,
+  // three sums), and f's own coefficients, products and sums come to these, per monomial.
+  int roundings = 0;
+  Number terms(0);
+  switch (kind_) {
+    case Kind::Plane:
+      roundings = 5 + 5;
+      terms = abs(c_[0]) * p.x + abs(c_[1]) * p.y + abs(c_[2]) * p.z + abs(c_[3]);
+      break;
+    case Kind::Quadric:
+      roundings = 2 * 5 + 10;
+      terms = p.x * (abs(c_[0]) * p.x + abs(c_[3]) * p.y + abs(c_[4]) * p.z + abs(c_[6])) +
+              p.y * (abs(c_[1]) * p.y + abs(c_[5]) * p.z + abs(c_[7])) +
+              p.z * (abs(c_[2]) * p.z + abs(c_[8])) + abs(c_[9]);
+      break;
+    case Kind::Torus: {
+      roundings = 4 * 5 + 16;
+      const Number k = dot(p, p) + c_[0] * c_[0] + c_[1] * c_[1];
+      terms = k * k + 4 * c_[0] * c_[0] * (p.x * p.x + p.y * p.y);
+      break;
+    }
+  }
+  const Number relative = Number(roundings) * number::unit_roundoff<Number>();
+  return relative / (1 - relative) * terms;
 }
 
 template <RoundedNumber Number>

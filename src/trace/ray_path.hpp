@@ -1,4 +1,4 @@
-// One path through the ray tree, from the eye on, in one number type.
+// Paths down the ray tree, from the eye on, in one number type.
 #pragma once
 
 #include <memory>
@@ -15,14 +15,23 @@
 
 namespace lamina::trace {
 
-/// An event of a class of exactly coincident ones.
-struct CoincidentEvent {
-  csg::LeafIndex leaf = 0;
-  bool enters = false;
+/// How far along a ray a method looks.
+enum class Extent : std::uint8_t {
+  FirstInterface,  ///< so that rays can be spawned there
+  WholeRay,
 };
 
-/// The present ray of a path, and how it goes on. Leaf states are the path's, not the tree's.
-/// Not for two threads at once.
+/// Where a ray first meets an interface, as the number type holds it, each number rounded to
+/// double.
+struct PathHit {
+  csg::LeafIndex leaf = 0;
+  double t = 0;
+  geometry::Vector3<double> point;
+  geometry::Vector3<double> gradient;  ///< of the leaf's f, not normalised
+};
+
+/// A path down the ray tree: the present ray, and those that it is spawned from, each at its
+/// first interface. Leaf states are the path's, not the CSG tree's. Not for two threads at once.
 class RayPath {
  public:
   virtual ~RayPath() = default;
@@ -30,21 +39,25 @@ class RayPath {
   /// Begins a path.
   virtual void start(const geometry::ExactRay& primary) = 0;
 
-  /// What the method sees of the present ray up to its first interface.
-  virtual void run(const method::Method& method, method::Report& report) = 0;
-  /// The present ray's crossings, by t; those behind the start too.
+  /// What the method sees of the present ray.
+  virtual void run(const method::Method& method, method::Report& report,
+                   Extent extent = Extent::FirstInterface) = 0;
+  /// The crossings of the ray last started or spawned, by t; those behind its start too.
   [[nodiscard]] virtual std::span<const method::CrossingId> crossings() const = 0;
   /// The double nearest to a crossing's t.
   [[nodiscard]] virtual double t(std::size_t crossing) const = 0;
+  /// The first interface of the present ray's last run; none where it has none, or where its
+  /// point is beyond the number type's range.
+  [[nodiscard]] virtual std::optional<PathHit> hit() const = 0;
 
-  /// Makes the ray spawned at the first interface of the last run the present one. Returns its
-  /// direction as this number type holds it; none if there is no interface, if its point is
-  /// beyond the number type's range, or at total internal reflection of a transmitted ray.
-  ///
-  /// Arguments: coincident  the exact class of events at the hit, for Secondary::Cluster.
-  virtual std::optional<geometry::ExactPoint> spawn(
-      const method::Method& method, const Spawn& spawn,
-      std::span<const CoincidentEvent> coincident) = 0;
+  /// Makes the ray spawned at the present one's first interface the present one. Returns its
+  /// direction as this number type holds it; none, and the present ray stays, if there is no
+  /// hit, if the ray is beyond the number type's range, or at total internal reflection of a
+  /// transmitted ray.
+  virtual std::optional<geometry::ExactPoint> spawn(const method::Method& method,
+                                                    const Spawn& spawn) = 0;
+  /// Makes the ray that spawned the present one the present one again: only to spawn others.
+  virtual void back() = 0;
 };
 
 template <number::RoundedNumber Number>

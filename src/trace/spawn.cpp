@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <charconv>
+#include <utility>
 
 #include "base/contract.hpp"
+#include "base/text.hpp"
 
 namespace lamina::trace {
 
@@ -16,16 +18,15 @@ std::vector<SpawnHelp> spawn_help() {
       {"normal-offset:E", "the length E along the normal, to the side the ray goes to"},
       {"offset:E:relative", "E times the largest coordinate; so with normal-offset"},
       {"ulp-offset:N", "N units in the last place along the normal (Ray Tracing Gems 6: 256)"},
+      {"error-bound", "a bound of the point's error along the normal, the next float (pbrt 6.8)"},
+      {"leaf-state",
+       "at the hit point; the hit leaf's contradicting events are rejected (W&T 3.5)"},
+      {"divide-out", "at the hit point; the surface's root s = 0 is divided out"},
   };
 }
 
 SpawnPolicy parse_spawn(std::string_view text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  const std::vector<std::string> parts = base::split(text, ':');
   const auto fail = [&text](std::string_view why) {
     std::string message = fmt::format("spawn policy '{}': {}; policies are:", text, why);
     for (const SpawnHelp& help : spawn_help()) {
@@ -36,12 +37,18 @@ SpawnPolicy parse_spawn(std::string_view text) {
 
   SpawnPolicy policy;
   policy.name = std::string(text);
-  if (text == "none") {
-    return policy;
+  using Kind = SpawnPolicy::Kind;
+  constexpr std::array kPlain{
+      std::pair{"none", Kind::None}, std::pair{"error-bound", Kind::ErrorBound},
+      std::pair{"leaf-state", Kind::LeafState}, std::pair{"divide-out", Kind::DivideOut}};
+  for (const auto& [name, kind] : kPlain) {
+    if (text == name) {
+      policy.kind = kind;
+      return policy;
+    }
   }
   if (parts[0] == "offset" || parts[0] == "normal-offset") {
-    policy.kind =
-        parts[0] == "offset" ? SpawnPolicy::Kind::Offset : SpawnPolicy::Kind::NormalOffset;
+    policy.kind = parts[0] == "offset" ? Kind::Offset : Kind::NormalOffset;
     policy.relative_epsilon = parts.size() == 3 && parts[2] == "relative";
     if (parts.size() != (policy.relative_epsilon ? 3u : 2u)) {
       fail("state the length, as in offset:1e-6 or offset:1e-6:relative");
@@ -55,7 +62,7 @@ SpawnPolicy parse_spawn(std::string_view text) {
   if (parts[0] != "ulp-offset" || parts.size() > 2) {
     fail("unknown");
   }
-  policy.kind = SpawnPolicy::Kind::UlpOffset;
+  policy.kind = Kind::UlpOffset;
   if (parts.size() == 2) {
     const char* end = parts[1].data() + parts[1].size();
     const auto [stop, error] = std::from_chars(parts[1].data(), end, policy.ulps);
@@ -65,6 +72,14 @@ SpawnPolicy parse_spawn(std::string_view text) {
     }
   }
   return policy;
+}
+
+std::vector<SpawnPolicy> parse_spawns(std::string_view text) {
+  std::vector<SpawnPolicy> policies;
+  for (const std::string& name : base::split(text, ',')) {
+    policies.push_back(parse_spawn(name));
+  }
+  return policies;
 }
 
 }  // namespace lamina::trace

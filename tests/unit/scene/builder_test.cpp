@@ -189,7 +189,7 @@ TEST(SceneMaterialTest, ColoursAreStatedOnce) {
   EXPECT_EQ(material(scene, "c").color, Material{}.color);
   EXPECT_EQ(support::error_of("material(\"a\", \"red\"); material(\"a\", \"#f00\");"), "");
   EXPECT_TRUE(fails_at("material(\"a\", \"red\");\nmaterial(\"a\", \"lime\");", "2:1",
-                       "`a` has another colour already"));
+                       "`a` has another look already"));
 }
 
 TEST(SceneMaterialTest, AColourIsAMaterial) {

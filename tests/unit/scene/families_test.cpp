@@ -53,6 +53,24 @@ const std::vector<std::string> kFamilies{"coincident-faces",
                                          "unclosed:cylinder",
                                          "unclosed:cone",
                                          "unclosed:slab",
+                                         "same-medium:left:3",
+                                         "same-medium:right:3",
+                                         "same-medium:flat:3",
+                                         "single:box:0",
+                                         "single:cylinder:3",
+                                         "single:cone:-2",
+                                         "single:ball:6",
+                                         "single:ring:0",
+                                         "distant-ball:0",
+                                         "distant-ball:3",
+                                         "bubble:plain",
+                                         "bubble:doubled",
+                                         "well:plain",
+                                         "well:doubled",
+                                         "cube-corner:plain",
+                                         "cube-corner:doubled",
+                                         "plates:3",
+                                         "onion:3",
                                          "round:ball",
                                          "round:ring"};
 
@@ -264,6 +282,45 @@ std::vector<Known> known_families() {
                 : static_cast<int>(std::floor(p.z)) % 2 == 0 ? "even"
                                                              : "odd";
        }}};
+  const auto beside = [&](const std::string& name, const Point& reach, auto inside) {
+    all.push_back({name, {-reach.x, -reach.y, -reach.z}, reach, plain(inside)});
+  };
+  const auto ball = [](const Point& p) { return squared(p) < 1; };
+  beside("single:ball:1", {1.2, 1.2, 1.2}, ball);
+  beside("single:box:-1", {1.2, 1.2, 1.2}, [](const Point& p) {
+    return in_box(p, {-1, -1, -1}, {1, 1, 1});
+  });
+  beside("single:cylinder:0", {1.2, 1.2, 1.2},
+         [](const Point& p) { return std::hypot(p.x, p.y) < 1 && -1 < p.z && p.z < 1; });
+  beside("single:cone:0", {1.2, 1.2, 1.2},
+         [](const Point& p) { return std::hypot(p.x, p.y) < (1 - p.z) / 2 && -1 < p.z; });
+  beside("single:ring:0", {1.4, 1.4, 0.4}, [](const Point& p) {
+    const double off = std::hypot(p.x, p.y) - 1;
+    return off * off + p.z * p.z < 0.0625;
+  });
+  beside("distant-ball:0", {1.2, 1.2, 1.2}, ball);
+  beside("distant-ball:4", {1.2, 1.2, 1.2}, ball);
+  for (const std::string how : {"plain", "doubled"}) {
+    beside("bubble:" + how, {2.2, 2.2, 2.2}, [ball](const Point& p) {
+      return in_box(p, {-2, -2, -2}, {2, 2, 2}) && !ball(p);
+    });
+    beside("well:" + how, {2, 2, 44}, [](const Point& p) {
+      return in_box(p, {-1.5, -1.5, -1}, {1.5, 1.5, 40}) &&
+             !in_box(p, {-0.5, -0.5, 0}, {0.5, 0.5, 50});
+    });
+    beside("cube-corner:" + how, {2, 2, 2}, [](const Point& p) {
+      return in_box(p, {-1, -1, -1}, {5, 5, 5}) && !in_box(p, {0, 0, 0}, {9, 9, 9});
+    });
+  }
+  all.push_back({"plates:3", {-3, -3, -0.5}, {3, 3, 3.5}, [](const Point& p) -> std::string {
+                   return p.z < 0 || p.z > 3 ? ""
+                                             : "glass" + std::to_string(1 + static_cast<int>(p.z));
+                 }});
+  all.push_back(
+      {"onion:3", {-3, -3, -3}, {3, 3, 3}, [](const Point& p) -> std::string {
+         const double radius = std::sqrt(squared(p));
+         return radius > 3 ? "" : radius > 2 ? "glass1" : radius > 1 ? "glass2" : "glass3";
+       }});
   // B's lowest and highest z for surfaces 1/8 apart; what is above A does not matter.
   const std::map<std::string, std::pair<double, double>> cut{
       {"i", {1.125, 2}}, {"ii", {0.875, 2}}, {"iii", {0.4, 2}}, {"iv", {0.4, 0.875}}};

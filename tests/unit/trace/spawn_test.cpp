@@ -22,12 +22,18 @@ TEST(SpawnTest, ReadsEveryPolicy) {
   EXPECT_TRUE(normal.relative_epsilon);
   EXPECT_EQ(parse_spawn("ulp-offset").ulps, 256);
   EXPECT_EQ(parse_spawn("ulp-offset:7").ulps, 7);
+  EXPECT_EQ(parse_spawn("error-bound").kind, SpawnPolicy::Kind::ErrorBound);
+  EXPECT_EQ(parse_spawn("leaf-state").kind, SpawnPolicy::Kind::LeafState);
+  EXPECT_EQ(parse_spawn("divide-out").kind, SpawnPolicy::Kind::DivideOut);
+  const auto several = parse_spawns("none,ulp-offset:8");
+  ASSERT_EQ(several.size(), 2U);
+  EXPECT_EQ(several[1].ulps, 8);
 }
 
 TEST(SpawnTest, RefusesWhatItDoesNotKnowAndListsWhatItDoes) {
   for (const char* text :
        {"", "offset", "offset:-1", "offset:1:absolute", "normal-offset", "ulp-offset:0",
-        "ulp-offset:x", "ulp-offset:1:2", "none:1", "teleport"}) {
+        "ulp-offset:x", "ulp-offset:1:2", "none:1", "error-bound:2", "teleport"}) {
     try {
       parse_spawn(text);
       FAIL() << text;

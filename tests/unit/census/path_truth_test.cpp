@@ -1,4 +1,4 @@
-#include "census/spawned_truth.hpp"
+#include "census/path_truth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,30 +18,27 @@ constexpr const char* kScene =
     "material(\"wall\") halfspace([0, 0, -1], -6);\n"
     "material(\"glass\") halfspace([0, 0, 1], 0);";
 
-class SpawnedTruthTest : public ::testing::Test {
+class PathTruthTest : public ::testing::Test {
  protected:
   void spawn(const std::string& text, const ExactRay& ray, const ExactPoint& direction) {
     scene_ = support::scene_of(text);
-    Truth truth(scene_);
-    truth.find(ray);
-    ASSERT_FALSE(truth.classes().empty());
-    start_ = method::start_on(scene_, ray, truth.t(truth.classes().front()));
     truth_.emplace(scene_);
-    decided_ = truth_->find(start_, direction);
+    truth_->start(ray);
+    ASSERT_NE(truth_->first(), nullptr);
+    decided_ = truth_->spawn(direction);
   }
 
   [[nodiscard]] std::string name(csg::Medium medium) const { return scene_.materials[medium].name; }
 
   scene::Scene scene_;
-  method::ExactStart start_;
-  std::optional<SpawnedTruth> truth_;
+  std::optional<PathTruth> truth_;
   bool decided_ = false;
 };
 
-TEST_F(SpawnedTruthTest, TheStartIsNoCrossing) {
+TEST_F(PathTruthTest, TheStartIsNoCrossing) {
   spawn(kScene, {{0, 0, 5}, {0, 0, -1}}, {0, 0, 1});
   ASSERT_TRUE(decided_);
-  EXPECT_EQ(name(truth_->start()), "");
+  EXPECT_EQ(name(truth_->start_medium()), "");
   ASSERT_EQ(truth_->classes().size(), 1u);
   EXPECT_EQ(truth_->classes()[0].s, 6);
   EXPECT_EQ(name(truth_->classes()[0].effect.transition.to), "wall");
@@ -50,24 +47,23 @@ TEST_F(SpawnedTruthTest, TheStartIsNoCrossing) {
 
   spawn(kScene, {{0, 0, 5}, {0, 0, -1}}, {1, 0, -1});
   ASSERT_TRUE(decided_);
-  EXPECT_EQ(name(truth_->start()), "glass");
+  EXPECT_EQ(name(truth_->start_medium()), "glass");
   EXPECT_TRUE(truth_->classes().empty());
 }
 
 // The chord from (0, 0, 1) in direction (1, 0, -2) of the unit sphere ends at s = 4/5; the other
 // sphere, with its equation times 3, has the same points, and so the same class.
-TEST_F(SpawnedTruthTest, FindsTheFarSideOfTheSurfaceItStartsOn) {
+TEST_F(PathTruthTest, FindsTheFarSideOfTheSurfaceItStartsOn) {
   spawn("sphere(1); quadric([[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, 3, 0], [0, 0, 0, -3]]);",
         {{0, 0, 5}, {0, 0, -1}}, {1, 0, -2});
   ASSERT_TRUE(decided_);
   ASSERT_EQ(truth_->classes().size(), 1u);
   EXPECT_DOUBLE_EQ(truth_->classes()[0].s, 0.8);
-  EXPECT_EQ(truth_->events_of(0).size(), 2u);
-  EXPECT_EQ(start_.carriers.size(), 1u);
+  EXPECT_EQ(truth_->classes()[0].events, 2u);
 }
 
 // Two planes of different equations meet where the ray arrives: no precision tells their order.
-TEST_F(SpawnedTruthTest, AnEdgeOfOtherSurfacesIsUndecided) {
+TEST_F(PathTruthTest, AnEdgeOfOtherSurfacesIsUndecided) {
   const std::string edge =
       "halfspace([0, 0, 1], 0); halfspace([1, 0, -1], -5); "
       "halfspace([2, 1, -2], -10);";
@@ -77,16 +73,23 @@ TEST_F(SpawnedTruthTest, AnEdgeOfOtherSurfacesIsUndecided) {
   EXPECT_TRUE(decided_);
 }
 
-TEST_F(SpawnedTruthTest, GoesOnFromASpawnedHit) {
+TEST_F(PathTruthTest, GoesOnFromASpawnedHit) {
   spawn(kScene, {{0, 0, 5}, {0, 0, -1}}, {1, 0, 2});
   ASSERT_TRUE(decided_);
   ASSERT_EQ(truth_->classes().size(), 1u);
-  SpawnedTruth next(scene_);
-  ASSERT_TRUE(next.find(truth_->start_on(0), {0, 0, -3}));
-  EXPECT_EQ(name(next.start()), "");
-  ASSERT_EQ(next.classes().size(), 1u);
-  EXPECT_EQ(next.classes()[0].s, 2);
-  EXPECT_EQ(name(next.classes()[0].effect.transition.to), "glass");
+  ASSERT_TRUE(truth_->spawn({0, 0, -3}));
+  EXPECT_EQ(name(truth_->start_medium()), "");
+  ASSERT_EQ(truth_->classes().size(), 1u);
+  EXPECT_EQ(truth_->classes()[0].s, 2);
+  EXPECT_EQ(name(truth_->first()->effect.transition.to), "glass");
+  truth_->back();
+  EXPECT_EQ(name(truth_->first()->effect.transition.to), "wall");
+  // Spawned anew from the same hit, in the same direction and in another one.
+  ASSERT_TRUE(truth_->spawn({0, 0, -3}));
+  EXPECT_EQ(truth_->classes()[0].s, 2);
+  truth_->back();
+  ASSERT_TRUE(truth_->spawn({0, 0, -1}));
+  EXPECT_EQ(truth_->classes()[0].s, 6);
 }
 
 // Counts of one ray whose reflection starts off by what a policy adds.
