@@ -36,6 +36,8 @@ const std::vector<Experiment>& all_experiments() {
                                            media(),
                                            ray_tree_depth(),
                                            same_medium(),
+                                           root_faults(),
+                                           gap_ulps(),
                                            real_models()};
   return all;
 }

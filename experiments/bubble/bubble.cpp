@@ -20,8 +20,8 @@ Aim inside_aim() {
 
 std::vector<Series> series(const Settings& settings) {
   const std::vector<std::string> kinds{"plain", "doubled"};
-  const std::vector<std::string> policies{"none", "leaf-state", "error-bound", "divide-out"};
-  const std::vector<std::uint64_t> bounces{1, 2, 4, 8, 16, 32, 64};
+  const std::vector<std::string> policies{"none", "leaf-state", "divide-out"};
+  const std::vector<std::uint64_t> bounces{1, 4, 16, 64};
   const std::uint64_t rays = settings.rays / (kinds.size() * policies.size() * bounces.size());
   std::vector<Series> all;
   for (const std::string& kind : kinds) {
@@ -48,7 +48,7 @@ Experiment bubble() {
                      {"bounces", "bounces",
                       "Reflections in turn; the last ray is judged, if those before it hit what "
                       "is there."}},
-          .default_rays = 5'600,
+          .default_rays = 960,
           .default_methods =
               "regularized,wyvill-trotman,wyvill-trotman:parity,"
               "wyvill-trotman:secondary:cluster",

@@ -40,7 +40,8 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray,
     const auto& surface = leaves_[leaf].surface;
     const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
     const bool is_left = std::find(left.begin(), left.end(), leaf) != left.end();
-    const auto found = surface.crossings(local, solvers_, is_left);
+    auto found = surface.crossings(local, solvers_, is_left);
+    spoil(found.roots, solvers_.fault, leaf);
     starts_inside_[leaf] = found.starts_inside ? 1 : 0;
     in_carrier_[leaf] = found.in_carrier ? 1 : 0;
     bool inside = found.starts_inside;

@@ -1,6 +1,7 @@
 #include "method/spawned_events.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace lamina::method {
@@ -128,10 +129,23 @@ ExactStart SpawnedEvents::start_on(std::size_t cls) const {
   const SpawnedClass at = classes_[cls];
   ExactStart next;
   next.carriers = {at.carrier};
-  // A copy answers: this object goes on to other rays.
-  next.point = [events = *this, at](int bits) -> std::optional<EnclosedPoint> {
-    for (int more = 2 * bits; more <= 4 * kMaxBits; more *= 2) {
-      const auto origin = events.start_.point(more);
+  // A copy answers: this object goes on to other rays. Deeper rays ask again, for more bits.
+  struct Known {
+    SpawnedEvents events;
+    int bits = 0;
+    std::optional<EnclosedPoint> point;
+  };
+  next.point = [known = std::make_shared<Known>(Known{*this, 0, std::nullopt}),
+                at](int bits) -> std::optional<EnclosedPoint> {
+    // What one hit mostly loses; where it is more, twice as many bits and so on are asked for.
+    constexpr int kGuardBits = 16;
+    constexpr int kLimit = 4 * kMaxBits;
+    if (bits <= known->bits) {
+      return known->point;
+    }
+    const SpawnedEvents& events = known->events;
+    for (int guard = kGuardBits; bits + guard <= kLimit; guard *= 2) {
+      const auto origin = events.start_.point(bits + guard);
       if (!origin) {
         return std::nullopt;
       }
@@ -141,7 +155,9 @@ ExactStart SpawnedEvents::start_on(std::size_t cls) const {
         continue;
       }
       if (const auto s = enclosure(std::move(found->roots[at.root]), bits)) {
-        return point_at(*origin, events.direction_, Interval(*s, origin->x.bits()));
+        known->bits = bits;
+        known->point = point_at(*origin, events.direction_, Interval(*s, origin->x.bits()));
+        return known->point;
       }
     }
     return std::nullopt;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/contract.hpp"
+
 namespace lamina::number {
 namespace {
 
@@ -90,10 +92,23 @@ Interval operator*(const Integer& a, const Interval& b) {
   return product;
 }
 
-Interval operator/(const Interval& a, unsigned long divisor) {
+Interval operator/(const Interval& a, const Integer& divisor) {
   Interval quotient(mpfi_get_prec(a.value_));
-  mpfi_div_ui(quotient.value_, a.value_, divisor);
+  mpfi_div_z(quotient.value_, a.value_, divisor.backend().data());
   return quotient;
+}
+
+Interval operator/(const Interval& a, const Interval& divisor) {
+  LAMINA_REQUIRE(divisor.sign().value_or(0) != 0, "division by what may be zero");
+  Interval quotient(wider(a.value_, divisor.value_));
+  mpfi_div(quotient.value_, a.value_, divisor.value_);
+  return quotient;
+}
+
+Interval hull(const Interval& a, const Interval& b) {
+  Interval both(wider(a.value_, b.value_));
+  mpfi_union(both.value_, a.value_, b.value_);
+  return both;
 }
 
 }  // namespace lamina::number

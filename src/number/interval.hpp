@@ -35,7 +35,11 @@ class Interval {
   friend Interval operator-(const Interval& a, const Interval& b);
   friend Interval operator*(const Interval& a, const Interval& b);
   friend Interval operator*(const Integer& a, const Interval& b);
-  friend Interval operator/(const Interval& a, unsigned long divisor);
+  friend Interval operator/(const Interval& a, const Integer& divisor);
+  /// Contract: the divisor's sign is known, and not zero.
+  friend Interval operator/(const Interval& a, const Interval& divisor);
+  /// The narrowest interval that contains both.
+  friend Interval hull(const Interval& a, const Interval& b);
 
  private:
   explicit Interval(mpfr_prec_t bits);

@@ -16,9 +16,10 @@ class IsolatedRoot {
   /// Bounds of u, in 0 .. 1. The order of u is that of s.
   [[nodiscard]] const number::Enclosure& bounds() const { return bounds_; }
 
-  /// Cuts the interval in about half. Returns false, and leaves it, if the coefficients are not
-  /// enclosed narrowly enough to tell on which side the root is, or if it is narrower than 2^-b
-  /// for coefficients of b bits.
+  /// Makes the interval narrower: by a step of the interval Newton method where that takes it to
+  /// a quarter or less, else by cutting it in about half. Returns false, and leaves it, if the
+  /// coefficients are not enclosed narrowly enough to tell on which side the root is, or if it is
+  /// narrower than 2^-b for coefficients of b bits.
   bool refine();
 
  private:
@@ -28,6 +29,9 @@ class IsolatedRoot {
 
   IsolatedRoot(std::vector<number::Interval> bernstein, number::Enclosure bounds)
       : bernstein_(std::move(bernstein)), bounds_(std::move(bounds)) {}
+
+  bool newton_step();
+  bool bisection_step();
 
   std::vector<number::Interval> bernstein_;  // on the interval
   number::Enclosure bounds_;

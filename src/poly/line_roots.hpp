@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
+#include "base/seeded_stream.hpp"
 #include "number/traits.hpp"
 
 namespace lamina::poly {
@@ -45,10 +48,47 @@ struct LineRoots {
 enum class QuadraticSolver : std::uint8_t { Plain, Careful };
 enum class QuarticSolver : std::uint8_t { Ferrari, Monotone };
 
+/// A solver's mistake made on purpose, to see what becomes of it.
+struct RootFault {
+  enum class Kind : std::uint8_t {
+    None,
+    Drop,    ///< one root of a polynomial is lost
+    Double,  ///< one root of a polynomial is given twice
+  };
+  Kind kind = Kind::None;
+  double rate = 0;  ///< of the polynomials with roots
+};
+
+/// Makes the mistake, or not, at random; the same for the same roots and `place`.
+template <RoundedNumber Number>
+void spoil(LineRoots<Number>& roots, const RootFault& fault, std::uint64_t place) {
+  if (fault.kind == RootFault::Kind::None || roots.count == 0) {
+    return;
+  }
+  base::SeededStream stream("poly/root-fault",
+                            std::bit_cast<std::uint64_t>(static_cast<double>(roots.t[0])), place);
+  if (!stream.chance(fault.rate)) {
+    return;
+  }
+  const auto chosen = static_cast<int>(stream.below(static_cast<std::uint64_t>(roots.count)));
+  if (fault.kind == RootFault::Kind::Drop) {
+    for (int i = chosen; i + 1 < roots.count; ++i) {
+      roots.t[i] = roots.t[i + 1];
+    }
+    --roots.count;
+  } else if (roots.count < static_cast<int>(roots.t.size())) {
+    for (int i = roots.count; i > chosen; --i) {
+      roots.t[i] = roots.t[i - 1];
+    }
+    ++roots.count;
+  }
+}
+
 /// Which solver finds the roots of which degree.
 struct Solvers {
   QuadraticSolver quadratic = QuadraticSolver::Careful;
   QuarticSolver quartic = QuarticSolver::Monotone;
+  RootFault fault{};
 };
 
 }  // namespace lamina::poly

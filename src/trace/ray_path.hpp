@@ -52,8 +52,8 @@ class RayPath {
 
   /// Makes the ray spawned at the present one's first interface the present one. Returns its
   /// direction as this number type holds it; none, and the present ray stays, if there is no
-  /// hit, if the ray is beyond the number type's range, or at total internal reflection of a
-  /// transmitted ray.
+  /// hit, if the ray is beyond the number type's range, at total internal reflection of a
+  /// transmitted ray, or where a shadow ray's light is behind the surface.
   virtual std::optional<geometry::ExactPoint> spawn(const method::Method& method,
                                                     const Spawn& spawn) = 0;
   /// Makes the ray that spawned the present one the present one again: only to spawn others.

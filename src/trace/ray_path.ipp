@@ -180,8 +180,12 @@ class RayPathOf final : public RayPath {
     switch (spawn.branch) {
       case Branch::Reflection:
         return d - Number(2 * dot(d, gradient) / dot(gradient, gradient)) * gradient;
-      case Branch::Shadow:
-        return method::rounded<Number>(spawn.light) - present().point;
+      case Branch::Shadow: {
+        const Vector towards = method::rounded<Number>(spawn.light) - present().point;
+        // A light behind the surface does not shine on it.
+        const bool behind = (dot(towards, gradient) < 0) == (dot(d, gradient) < 0);
+        return behind ? std::nullopt : std::optional(towards);
+      }
       case Branch::Transmission:
         break;
     }
