@@ -1,9 +1,11 @@
-// Rays that convex solids spawn to their outside meet nothing: whatever is reported is wrong.
+// Rays that convex solids spawn to their outside meet nothing, unless their direction is rounded.
 #include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <catch2/catch.hpp>
 
+#include "base/contract.hpp"
+#include "census/path_truth.hpp"
 #include "experiments/surface_aim.hpp"
 #include "trace/number_choice.hpp"
 
@@ -16,7 +18,8 @@ constexpr std::uint64_t kShadowRays = 3;
 
 struct Tally {
   std::atomic<std::uint64_t> spawned = 0;
-  std::atomic<std::uint64_t> hits = 0;  ///< spawned rays that report an interface
+  std::atomic<std::uint64_t> hits = 0;                ///< spawned rays that report an interface
+  std::atomic<std::uint64_t> self_intersections = 0;  ///< of them, on rays that go outwards
 };
 
 // From each hit a reflected ray, and shadow rays to far lights on the side of the reflected ray.
@@ -30,38 +33,56 @@ void go_through(const std::string& solid, std::uint64_t case_id, const trace::Nu
   base::SeededStream stream("convex/" + solid, 1, case_id);
   const auto path = number.make_path(scene, {});
   method::Report report;
+  census::PathTruth truth(scene);
   std::uint64_t spawned = 0;
   std::uint64_t hits = 0;
-  const auto look = [&] {
+  std::uint64_t self_intersections = 0;
+  const auto look = [&](const geometry::ExactRay& primary, const geometry::ExactPoint& direction) {
     path->run(method, report);
     ++spawned;
-    hits += report.interfaces.empty() ? 0 : 1;
+    // A direction to the inside does meet the solid, on the far side: by its own rounding, or
+    // by that of the normal, which tells the sides apart badly near the apex of a cone.
+    if (!report.interfaces.empty()) {
+      ++hits;
+      truth.start(primary);
+      LAMINA_REQUIRE(truth.spawn(direction), "undecided");
+      self_intersections += truth.start_medium() == csg::kEmpty ? 1 : 0;
+    }
     path->back();
   };
   for (std::uint64_t i = 0; i < kRays; ++i) {
-    path->start(aim.draw(member, scene, stream));
+    const geometry::ExactRay ray = aim.draw(member, scene, stream);
+    path->start(ray);
     path->run(method, report);
     const auto hit = path->hit();
-    if (!hit || !path->spawn(method, {.policy = policy})) {
+    const auto reflected =
+        hit ? path->spawn(method, {.policy = policy}) : std::optional<geometry::ExactPoint>{};
+    if (!reflected) {
       continue;
     }
-    look();
+    look(ray, *reflected);
+    const geometry::Vector3<double> incident{number::nearest_double(ray.direction.x),
+                                             number::nearest_double(ray.direction.y),
+                                             number::nearest_double(ray.direction.z)};
     for (std::uint64_t k = 0; k < kShadowRays; ++k) {
+      // On the side of the surface that the ray comes from.
       geometry::Vector3<double> towards = scene::random_direction(stream);
-      if (dot(towards, hit->gradient) < 0) {
+      if ((dot(towards, hit->gradient) < 0) == (dot(incident, hit->gradient) < 0)) {
         towards = -1.0 * towards;
       }
       const geometry::Vector3<double> light = hit->point + 1000.0 * towards;
       const auto exact = [](double v) { return number::Rational(v); };
-      if (path->spawn(method, {.branch = trace::Branch::Shadow,
-                               .policy = policy,
-                               .light = {exact(light.x), exact(light.y), exact(light.z)}})) {
-        look();
+      if (const auto shadow =
+              path->spawn(method, {.branch = trace::Branch::Shadow,
+                                   .policy = policy,
+                                   .light = {exact(light.x), exact(light.y), exact(light.z)}})) {
+        look(ray, *shadow);
       }
     }
   }
   tally.spawned += spawned;
   tally.hits += hits;
+  tally.self_intersections += self_intersections;
 }
 
 // Four solids, two number types.
@@ -83,14 +104,16 @@ TEST_CASE("No ray that a convex solid spawns hits it with leaf states") {
   Tally tally;
   go_through_all("wyvill-trotman", "leaf-state", tally);
   REQUIRE(tally.spawned > 3'900'000);
-  CHECK(tally.hits == 0);
+  CHECK(tally.self_intersections == 0);
+  CHECK(tally.hits < tally.spawned / 100'000);
 }
 
 TEST_CASE("No ray that a convex solid spawns hits it beyond the bound of the error") {
   Tally tally;
   go_through_all("regularized", "error-bound", tally);
   REQUIRE(tally.spawned > 3'900'000);
-  CHECK(tally.hits == 0);
+  CHECK(tally.self_intersections == 0);
+  CHECK(tally.hits < tally.spawned / 100'000);
 }
 
 TEST_CASE("Rays that convex solids spawn at the rounded point often hit them") {
@@ -98,7 +121,7 @@ TEST_CASE("Rays that convex solids spawn at the rounded point often hit them") {
   for (const std::uint64_t case_id : {0, 1}) {
     go_through("ball", case_id, trace::number_choice<double>(), method::regularized(), {}, tally);
   }
-  CHECK(tally.hits > tally.spawned / 10);
+  CHECK(tally.self_intersections > tally.spawned / 10);
 }
 
 }  // namespace lamina

@@ -316,11 +316,10 @@ std::vector<Known> known_families() {
                    return p.z < 0 || p.z > 3 ? ""
                                              : "glass" + std::to_string(1 + static_cast<int>(p.z));
                  }});
-  all.push_back(
-      {"onion:3", {-3, -3, -3}, {3, 3, 3}, [](const Point& p) -> std::string {
-         const double radius = std::sqrt(squared(p));
-         return radius > 3 ? "" : radius > 2 ? "glass1" : radius > 1 ? "glass2" : "glass3";
-       }});
+  all.push_back({"onion:2", {-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}, [](const Point& p) -> std::string {
+                   const double radius = std::sqrt(squared(p));
+                   return radius > 2 ? "" : radius > 1 ? "glass1" : "glass2";
+                 }});
   // B's lowest and highest z for surfaces 1/8 apart; what is above A does not matter.
   const std::map<std::string, std::pair<double, double>> cut{
       {"i", {1.125, 2}}, {"ii", {0.875, 2}}, {"iii", {0.4, 2}}, {"iv", {0.4, 0.875}}};
