@@ -180,5 +180,41 @@ TEST(ProgramTest, HelpTeachesAndListsAreComplete) {
   EXPECT_NE(lamina("list solvers").out.find("ferrari"), std::string::npos);
 }
 
+TEST(ProgramTest, RenderWritesAPictureAndTheMapOfItsArtifacts) {
+  const Scratch scratch;
+  const std::string scene = LAMINA_SOURCE_DIR "/data/scenes/figure14_sphere.csg";
+  const auto render = [&](const std::string& name, const std::string& options) {
+    return lamina("render " + scene + " -o " + scratch.path(name) + " --size 40x30 " + options);
+  };
+  const Outcome one = render("one.png", "--threads 1 --method roth");
+  ASSERT_EQ(one.status, 0) << one.error;
+  EXPECT_EQ(one.out, "");
+  const Outcome three = render("three.png", "--threads 3 --method roth --format json --artifacts " +
+                                                scratch.path("map.png"));
+  ASSERT_EQ(three.status, 0) << three.error;
+  EXPECT_EQ(read(scratch.path("one.png")), read(scratch.path("three.png")));
+  EXPECT_TRUE(read(scratch.path("map.png")).starts_with("\x89PNG"));
+  EXPECT_NE(read(scratch.path("map.png")), read(scratch.path("one.png")));
+  const Json table = Json::parse(three.out);
+  const auto& rows = table.contains("tables") ? table["tables"][0]["rows"] : table["rows"];
+  EXPECT_EQ(rows.size(), 7U);
+}
+
+TEST(ProgramTest, RenderSaysWhatItCannotDo) {
+  const Scratch scratch;
+  const std::string figure = LAMINA_SOURCE_DIR "/data/scenes/figure14_box.csg";
+  const std::string out = " -o " + scratch.path("x.png");
+  const auto expect = [&](const std::string& arguments, const std::string& message) {
+    const Outcome outcome = lamina("render " + arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_NE(outcome.error.find(message), std::string::npos) << outcome.error;
+  };
+  expect(scratch.write("bare.csg", "sphere(1);") + out, "camera(eye=");
+  expect(figure + out + " --number exact", "rounded number type");
+  expect(figure + out + " --spawn far", "leaf-state");
+  expect(figure + out + " --size 0x5", "WxH");
+  expect(figure + " -o /nowhere/x.png", "/nowhere/x.png");
+}
+
 }  // namespace
 }  // namespace lamina::test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/contract.hpp"
+
 namespace lamina::number {
 namespace {
 
@@ -36,10 +38,23 @@ TEST(IntervalTest, EnclosesOperationsNarrowly) {
   check(x - y, a - b);
   check(x * y, a * b);
   check(Integer(-5) * x, -5 * a);
-  check(y / 7, b / 7);
+  check(y / Integer(7), b / 7);
+  check(x / y, a / b);
   Interval sum = x;
   sum += y;
   check(sum, a + b);
+}
+
+TEST(IntervalTest, DoesNotDivideByWhatMayBeZero) {
+  const Interval one(Rational(1), kBits);
+  EXPECT_THROW(one / Interval(Enclosure{-1, 1}, kBits), base::ContractError);
+  EXPECT_THROW(one / Interval(), base::ContractError);
+}
+
+TEST(IntervalTest, TheHullContainsBothAndNoMore) {
+  const Interval both = hull(Interval(Rational(-3), kBits), Interval(Enclosure{1, 2}, kBits));
+  EXPECT_EQ(both.lower(), -3);
+  EXPECT_EQ(both.upper(), 2);
 }
 
 TEST(IntervalTest, RoundsToTheMoreBitsOfTwo) {

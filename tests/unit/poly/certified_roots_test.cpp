@@ -132,5 +132,24 @@ TEST(CertifiedRootsTest, FindsWhatRandomPolynomialsAreMadeOf) {
   EXPECT_GT(found, 1000);
 }
 
+// A thousand bits in a dozen steps or so: bisection alone would take a thousand.
+TEST(CertifiedRootsTest, StepsAreMostlyNewtons) {
+  auto roots =
+      positive_roots(enclosed(product_of({Rational(1, 3), Rational(2), Rational(7)}, 3), 1100));
+  ASSERT_TRUE(roots);
+  ASSERT_EQ(roots->size(), 3U);
+  IsolatedRoot& root = (*roots)[1];
+  const Rational narrow = Rational(1) / (Integer(1) << 1000);
+  int steps = 0;
+  while (root.bounds().upper - root.bounds().lower > narrow) {
+    ASSERT_TRUE(root.refine());
+    ++steps;
+  }
+  EXPECT_LT(steps, 30);
+  // u = s / (1 + s) of s = 2.
+  EXPECT_LE(root.bounds().lower, Rational(2, 3));
+  EXPECT_GE(root.bounds().upper, Rational(2, 3));
+}
+
 }  // namespace
 }  // namespace lamina::poly

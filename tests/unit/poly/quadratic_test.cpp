@@ -174,5 +174,31 @@ TYPED_TEST(QuadraticTest, WithoutASquareItIsALineAndWithoutThatNothing) {
   }
 }
 
+TEST(RootFaultTest, LosesOrDoublesOneRootAsOftenAsItSays) {
+  constexpr int kTimes = 4000;
+  const auto spoiled = [](RootFault::Kind kind, double rate, int i) {
+    LineRoots<double> roots;
+    for (const double t : {1.0, 2.0, 3.5}) {
+      roots.cross(t + i);
+    }
+    spoil(roots, {kind, rate}, 5);
+    return roots;
+  };
+  for (const auto kind : {RootFault::Kind::None, RootFault::Kind::Drop, RootFault::Kind::Double}) {
+    int changed = 0;
+    for (int i = 0; i < kTimes; ++i) {
+      const LineRoots<double> roots = spoiled(kind, 0.25, i);
+      EXPECT_EQ(roots.count, spoiled(kind, 0.25, i).count);
+      EXPECT_TRUE(std::is_sorted(roots.t.begin(), roots.t.begin() + roots.count));
+      const int off = roots.count - 3;
+      EXPECT_TRUE(off == 0 || off == (kind == RootFault::Kind::Drop ? -1 : 1));
+      changed += off != 0 ? 1 : 0;
+    }
+    // Five standard deviations around a quarter.
+    const double expected = kind == RootFault::Kind::None ? 0 : 0.25 * kTimes;
+    EXPECT_NEAR(changed, expected, kind == RootFault::Kind::None ? 0 : 137);
+  }
+}
+
 }  // namespace
 }  // namespace lamina::poly

@@ -192,6 +192,37 @@ TEST(SceneMaterialTest, ColoursAreStatedOnce) {
                        "`a` has another look already"));
 }
 
+TEST(SceneMaterialTest, TheLookIsStatedWithTheColour) {
+  const Scene scene = scene_of(
+      "material(\"a\", [1, 0, 0, 1/2], index = 3/2, mirror = 0.25, ambient = 0.1, diffuse = 0.5,"
+      "specular = 1, shininess = 7, texture = \"wood\", second_color = [0, 1, 0], grain = 1/8) "
+      "sphere(); material(\"b\", index = 4/3) sphere(2); material(\"b\") sphere(3);");
+  Material a;
+  a.name = "a";
+  a.color = {1, 0, 0, 0.5};
+  a.refractive_index = Rational(3, 2);
+  a.mirror = 0.25;
+  a.ambient = 0.1;
+  a.diffuse = 0.5;
+  a.specular = 1;
+  a.shininess = 7;
+  a.texture = Texture::Wood;
+  a.second_color = {0, 1, 0};
+  a.grain = 0.125;
+  EXPECT_EQ(material(scene, "a"), a);
+  EXPECT_EQ(material(scene, "b").refractive_index, Rational(4, 3));
+  EXPECT_EQ(material(scene, "b").color, Material{}.color);
+  EXPECT_EQ(scene.materials[csg::kEmpty].refractive_index, 1);
+}
+
+TEST(SceneMaterialTest, AWrongLookIsPointedAt) {
+  EXPECT_TRUE(fails_at("material(\"a\", mirror = 2);", "1:24", "from 0 to 1"));
+  EXPECT_TRUE(fails_at("material(\"a\", index = 0);", "1:23", "must be positive"));
+  EXPECT_TRUE(fails_at("material(\"a\", grain = 0);", "1:23", "must be positive"));
+  EXPECT_TRUE(fails_at("material(\"a\", texture = \"tweed\");", "1:25", "\"marble\""));
+  EXPECT_TRUE(fails_at("material(\"a\", shine = 1);", "1:15", "texture"));
+}
+
 TEST(SceneMaterialTest, AColourIsAMaterial) {
   const Scene scene = scene_of(
       "color([1, 0, 0, 1]) sphere(); color(\"red\") sphere(2);"

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/seeded_stream.hpp"
@@ -190,6 +193,108 @@ TYPED_TEST(RoundedSurfaceTest, CrossingsOfPlanesAndQuadricsAreTheExactOnes) {
     reached.add(inside ? "starts inside" : "starts outside");
   }
   EXPECT_TRUE(reached.each_at_least(kCases / 200)) << reached;
+}
+
+// From a point of the surface: the other root of the quadratic is -2 b / a, and 0 is given as 0.
+TYPED_TEST(RoundedSurfaceTest, TheRootThatARayStartsAtIsDividedOut) {
+  constexpr std::uint64_t kCases = 3000;
+  support::ClassTally reached{"plane", "ahead", "behind", "touch", "in carrier"};
+  for (std::uint64_t case_id = 0; case_id < kCases; ++case_id) {
+    base::SeededStream stream("surface/starts_on", 1, case_id);
+    const Case in = random_case(stream, false);
+    const auto [a, b, c] = along(in);
+    if (c != 0) {
+      continue;
+    }
+    SCOPED_TRACE(case_id);
+    const auto found = RoundedSurface<TypeParam>(in.surface).crossings(this->ray(in), {}, true);
+    EXPECT_EQ(found.in_carrier, a == 0 && b == 0);
+    EXPECT_EQ(found.starts_inside, a != 0 ? a < 0 : b > 0);
+    if (b == 0) {
+      EXPECT_EQ(found.roots.count, 0);
+      reached.add(a == 0 ? "in carrier" : "touch");
+      continue;
+    }
+    ASSERT_EQ(found.roots.count, a == 0 ? 1 : 2);
+    const int zero = a != 0 && -b / a < 0 ? 1 : 0;
+    EXPECT_EQ(found.roots.t[zero], TypeParam(0));
+    if (a != 0) {
+      EXPECT_TRUE(this->within(found.roots.t[1 - zero], Surd(-2 * b / a, 0, 0), 2));
+    }
+    reached.add(a == 0 ? "plane" : zero == 0 ? "ahead" : "behind");
+  }
+  EXPECT_TRUE(reached.each_at_least(3)) << reached;
+}
+
+TYPED_TEST(RoundedSurfaceTest, TheRootThatARayStartsAtIsDividedOutOfATorus) {
+  const RoundedSurface<TypeParam> ring(torus(2, 1));
+  const geometry::Ray<TypeParam> ray{{TypeParam(3), TypeParam(0), TypeParam(0)},
+                                     {TypeParam(-1), TypeParam(0), TypeParam(0)}};
+  const auto found = ring.crossings(ray, {}, true);
+  ASSERT_EQ(found.roots.count, 4);
+  EXPECT_EQ(found.roots.t[0], TypeParam(0));
+  const TypeParam most = 400 * number::unit_roundoff<TypeParam>();
+  for (const auto& [root, exact] : {std::pair{1, 2}, {2, 4}, {3, 6}}) {
+    using std::abs;
+    EXPECT_LE(abs(found.roots.t[root] - TypeParam(exact)), most);
+  }
+}
+
+// Scenes' numbers that are no binary fractions, placed by a map that is rounded, too.
+TYPED_TEST(RoundedSurfaceTest, TheRoundingErrorIsBounded) {
+  using Exact = typename TestFixture::Traits;
+  const auto exactly = [](const geometry::Vector3<TypeParam>& v) {
+    return geometry::ExactPoint{Exact::to_exact(v.x), Exact::to_exact(v.y), Exact::to_exact(v.z)};
+  };
+  const std::vector<LocalSurface> surfaces{
+      plane({Rational(1, 3), Rational(-2, 7), 1}, Rational(5, 9)), sphere(Rational(10, 7)),
+      infinite_cylinder(Rational(4, 3)), infinite_cone(Rational(3, 7), Rational(1, 3)),
+      torus(Rational(5, 3), Rational(1, 3))};
+  Rational largest_part = 0;
+  for (std::uint64_t case_id = 0; case_id < 300; ++case_id) {
+    base::SeededStream stream("surface/rounding_error", 1, case_id);
+    geometry::AffineMap to_local;
+    for (auto& row : to_local.rows) {
+      for (Rational& entry : row) {
+        entry = Rational(stream.integer(-20, 20), stream.integer(1, 13));
+      }
+    }
+    const RoundedMap<TypeParam> frame(to_local);
+    const auto coordinate = [&stream] {
+      return TypeParam(static_cast<int>(stream.integer(-60, 60))) / 13;
+    };
+    const TypeParam x = coordinate();
+    const TypeParam y = coordinate();
+    const geometry::Vector3<TypeParam> world{x, y, coordinate()};
+    const LocalSurface& exact = surfaces[case_id % surfaces.size()];
+    const RoundedSurface<TypeParam> surface(exact);
+    const geometry::ExactPoint local = apply(to_local, exactly(world));
+    const auto& c = exact.coefficients;
+    const Rational squared = dot(local, local);
+    Rational value;
+    switch (exact.kind) {
+      case Kind::Plane:
+        value = c[0] * local.x + c[1] * local.y + c[2] * local.z + c[3];
+        break;
+      case Kind::Quadric:
+        value = c[0] * local.x * local.x + c[1] * local.y * local.y + c[2] * local.z * local.z +
+                c[6] * local.x + c[7] * local.y + c[8] * local.z + c[9];
+        break;
+      case Kind::Torus: {
+        const Rational k = squared + c[0] * c[0] - c[1] * c[1];
+        value = k * k - 4 * c[0] * c[0] * (local.x * local.x + local.y * local.y);
+        break;
+      }
+    }
+    const Rational bound = Exact::to_exact(surface.rounding_error(frame.magnitude(world)));
+    const Rational error =
+        abs(Rational(Exact::to_exact(surface.value(frame.point(world))) - value));
+    ASSERT_LE(error, bound) << case_id;
+    ASSERT_GT(bound, 0);
+    largest_part = std::max(largest_part, Rational(error / bound));
+  }
+  // Not so wide that it says nothing.
+  EXPECT_GT(largest_part, Rational(1, 50));
 }
 
 // Along an axis of the torus (2, 1): (t^2 - 1)(t^2 - 9) = t^4 - 10 t^2 + 9, whose coefficients
