@@ -29,7 +29,7 @@ Experiment coincident_glass() {
           .default_methods =
               "regularized,epsilon:1e-6,wyvill-trotman:no-look-ahead,"
               "wyvill-trotman,wyvill-trotman:look-ahead-all,"
-              "wyvill-trotman:secondary:cluster",
+              "wyvill-trotman:secondary:cluster,wyvill-trotman:look-ahead-class:secondary:cluster",
           .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
           .series = series,
           .tables = spawned_tables};

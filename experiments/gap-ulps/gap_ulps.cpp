@@ -8,7 +8,7 @@
 namespace lamina::experiments {
 namespace {
 
-// At the gap from outside, within 60 degrees of head-on.
+// At the gap from outside, within 64 degrees of head-on.
 Aim at_the_gap() {
   return {"at the gap",
           [](const scene::FamilyMember& member, const scene::Scene&, base::SeededStream& stream) {

@@ -35,10 +35,11 @@ Aim core_aim() {
 
 std::vector<Series> series(const Settings& settings) {
   constexpr std::uint64_t kLayers = 6;
-  const std::uint64_t rays = settings.rays / (2 * 4);
+  const std::vector<std::uint64_t> depths{1, 2, 4, 6};
+  const std::uint64_t rays = settings.rays / (2 * depths.size());
   std::vector<Series> all;
   for (const auto& [name, aim] : {std::pair{"plates", steep_aim()}, {"onion", core_aim()}}) {
-    for (const std::uint64_t passed : {1, 2, 4, 6}) {
+    for (const std::uint64_t passed : depths) {
       const std::vector<trace::Spawn> path(passed, {.branch = trace::Branch::Transmission});
       all.push_back(spawned_series({name, passed}, fmt::format("{}:{}", name, kLayers), aim, path,
                                    rays, settings, 20));
@@ -61,8 +62,8 @@ Experiment media() {
                   "Interfaces that the ray is refracted at before the one that is judged."}},
       .default_rays = 4'800,
       .default_methods =
-          "regularized,wyvill-trotman:no-look-ahead,wyvill-trotman,wyvill-trotman:secondary:"
-          "cluster",
+          "regularized,wyvill-trotman:no-look-ahead,wyvill-trotman,"
+          "wyvill-trotman:secondary:cluster,wyvill-trotman:look-ahead-class:secondary:cluster",
       .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
       .series = series,
       .tables = spawned_tables};

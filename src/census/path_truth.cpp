@@ -108,14 +108,36 @@ struct Match {
   bool is_start = false;
 };
 
-Match match(const PathTruth& truth, csg::LeafIndex leaf, double t) {
+// Through (leaf, which crossing of the leaf) where the ray has as many crossings ahead as in truth,
+// or the start's besides; else by the least distance.
+Match match(const PathTruth& truth, const trace::RayPath& path, std::size_t crossing) {
+  const auto crossings = path.crossings();
+  const csg::LeafIndex leaf = crossings[crossing].leaf;
+  const auto classes = truth.classes_of(leaf);
+  std::size_t ahead = 0;
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    if (crossings[i].leaf == leaf && crossings[i].ahead) {
+      before += i < crossing ? 1 : 0;
+      ++ahead;
+    }
+  }
+  if (crossings[crossing].ahead) {
+    if (ahead == classes.size()) {
+      return {classes[before], false};
+    }
+    if (truth.starts_on(leaf) && ahead == classes.size() + 1) {
+      return before == 0 ? Match{std::nullopt, true} : Match{classes[before - 1], false};
+    }
+  }
+  const double t = path.t(crossing);
   Match nearest;
   double least = INFINITY;
   if (truth.starts_on(leaf)) {
     nearest.is_start = true;
     least = std::abs(t);
   }
-  for (const std::uint32_t cls : truth.classes_of(leaf)) {
+  for (const std::uint32_t cls : classes) {
     if (const double distance = std::abs(t - truth.classes()[cls].s); distance < least) {
       nearest = {cls, false};
       least = distance;
@@ -131,7 +153,7 @@ Artifact why_missed(const PathTruth& truth, const trace::RayPath& path, std::uin
   for (std::size_t i = 0; i < path.crossings().size(); ++i) {
     const method::CrossingId& crossing = path.crossings()[i];
     if (std::find(owners.begin(), owners.end(), crossing.leaf) == owners.end() ||
-        match(truth, crossing.leaf, path.t(i)).cls != cls) {
+        match(truth, path, i).cls != cls) {
       continue;
     }
     if (crossing.ahead) {
@@ -177,7 +199,7 @@ Verdict judge_first(const PathTruth& truth, const trace::RayPath& path,
   if (reported) {
     const method::Interface& interface = report.interfaces.front();
     const csg::LeafIndex leaf = path.crossings()[interface.crossing].leaf;
-    const Match matched = match(truth, leaf, path.t(interface.crossing));
+    const Match matched = match(truth, path, interface.crossing);
     found = there && matched.cls == true_class;
     if (matched.is_start) {
       ++verdict[Artifact::SelfIntersection];

@@ -86,8 +86,8 @@ class PathTruth {
 
 /// What a method in a number type says of the present ray up to its first interface, against the
 /// truth. Artifacts of what lies before and at the first interface only; crossings are matched
-/// with the leaf's exact ones, or with s = 0 where the ray starts on its surface, by the least
-/// distance in s.
+/// with the leaf's exact ones, in order where there are as many ahead, or one more where the ray
+/// starts on the leaf's surface, which is then the first, s = 0; else by the least distance in s.
 ///
 /// Arguments: range  interfaces with s >= range do not count: 1 for a shadow ray, else infinity.
 Verdict judge_first(const PathTruth& truth, const trace::RayPath& path,

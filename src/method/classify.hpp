@@ -156,10 +156,34 @@ class Classifier {
       return;
     }
     done_.resize(crossings_.size());
+    if (method.look_ahead == LookAhead::Class) {
+      look_ahead_in_class(method, hit, end, group);
+      return;
+    }
     for (std::size_t i = end; i < crossings_.size() && !stops_ray(state_.medium()); ++i) {
       if (done_[i] == 0 && is_additional(first, i) && passed(method, hit, i)) {
         cross(method, i, group, &Hit::passed);
         done_[i] = 1;
+      }
+    }
+  }
+
+  // Crosses, with the hit leaf, the leaves that coincide with it and are not yet crossed.
+  void look_ahead_in_class(const Method& method, std::size_t hit, std::size_t end,
+                           std::uint32_t group) {
+    const csg::LeafIndex hit_leaf = crossings_[hit].leaf;
+    const scene::Leaf& leaf = scene_.leaves[hit_leaf];
+    for (const csg::LeafIndex other : scene_.leaves_of_carrier[leaf.carrier]) {
+      const bool alike = scene_.leaves[other].side == leaf.side;
+      if (state_.inside(other) == (alike == state_.inside(hit_leaf))) {
+        continue;
+      }
+      for (std::size_t i = end; i < crossings_.size(); ++i) {
+        if (crossings_[i].leaf == other && done_[i] == 0) {
+          cross(method, i, group, &Hit::passed);
+          done_[i] = 1;
+          break;
+        }
       }
     }
   }
@@ -248,7 +272,7 @@ class Classifier {
   OnEvent on_event_;
   Inherited inherited_;
   Hit* hit_ = nullptr;
-  std::vector<std::uint8_t> done_;  // by crossing, where LookAhead::All has been
+  std::vector<std::uint8_t> done_;  // by crossing, where All and Class have been
 };
 
 }  // namespace lamina::method

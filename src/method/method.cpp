@@ -51,6 +51,7 @@ std::vector<MethodHelp> method_help() {
       {"wyvill-trotman:parity", "the same, entering and leaving from root parity"},
       {"wyvill-trotman:no-look-ahead", "the same, without their section 3.6"},
       {"wyvill-trotman:look-ahead-all", "the same, their 3.6 for all later surfaces"},
+      {"wyvill-trotman:look-ahead-class", "the same, their 3.6 for what coincides exactly"},
       {"wyvill-trotman:reference:D", "the same, started a length D before a leaf (section 3.7)"},
       {"wyvill-trotman:secondary:S", "spawned rays' states: inherit, parity, hybrid, cluster"},
       {"wyvill-trotman:keeps-hit-leaf", "the same, 3.4's hit leaf not set back for reflection"},
@@ -113,6 +114,8 @@ Method parse_method(std::string_view text) {
       result.look_ahead = LookAhead::None;
     } else if (part == "look-ahead-all") {
       result.look_ahead = LookAhead::All;
+    } else if (part == "look-ahead-class") {
+      result.look_ahead = LookAhead::Class;
     } else if (part == "keeps-hit-leaf") {
       result.keeps_hit_leaf = true;
     } else if (part == "reference") {

@@ -46,6 +46,9 @@ enum class LookAhead : std::uint8_t {
   None,
   Literal,  ///< the next one, and so on until one is not passed or the ray is stopped
   All,      ///< every later one, whatever is between, until the ray is stopped
+  /// Those of the leaves that share the hit leaf's carrier, which coincide exactly: nothing is
+  /// tested, and an opaque medium stops nothing. The interface is then the class's, or none.
+  Class,
 };
 
 /// Where the leaf states of a spawned ray come from.
@@ -93,7 +96,8 @@ Method wyvill_trotman();
 /// Returns the method that the text spells:
 ///   roth | wyvill-sharp | regularized
 ///   epsilon:E | epsilon:E:relative      E a length, or a multiple of |t|
-///   wyvill-trotman[:parity][:no-look-ahead | :look-ahead-all][:reference:D]     D a length
+///   wyvill-trotman[:parity][:no-look-ahead | :look-ahead-all | :look-ahead-class]
+///                 [:reference:D]     D a length
 ///                 [:secondary:inherit | :secondary:parity | :secondary:hybrid |
 ///                  :secondary:cluster][:keeps-hit-leaf]
 /// Throws base::InputError that lists these.

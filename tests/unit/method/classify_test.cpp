@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -182,6 +184,29 @@ TEST(ClassifyTest, LookAheadForAllGoesOnBehindWhatIsNotPassed) {
             "-; 2 leaf 0 ->glass; 2 leaf 6 glass>water; 5 leaf 7 water>-; -");
   EXPECT_EQ(seen(scene, spelled("wyvill-trotman:look-ahead-all")),
             "-; 2 leaf 0 ->water; 5 leaf 7 water>-; -");
+}
+
+// What coincides is crossed at once, opaque or not; where nothing changes, nothing is seen.
+TEST(ClassifyTest, LookAheadInTheClassSeesItAsAWhole) {
+  // Which of the leaves is reported does not matter.
+  const auto media_seen = [](const std::string& scene, const Method& method) {
+    return std::regex_replace(seen(scene, method), std::regex("leaf [0-9]+ "), "");
+  };
+  const auto by_class = spelled("wyvill-trotman:look-ahead-class");
+  for (const std::string& scene :
+       {kClear + "add() {\n" + slab("stone", "0", "2") + slab("water", "0", "3") + "}",
+        kClear + "add() {\n" + slab("glass", "0", "2") + slab("stone", "2", "3") +
+            slab("water", "0", "3") + "}",
+        kClear + "difference() {\n" + slab("glass", "0", "2") + slab("water", "0", "2") + "}"}) {
+    EXPECT_EQ(media_seen(scene, by_class), media_seen(scene, regularized())) << scene;
+  }
+  const std::string opaque =
+      kClear + "add() {\n" + slab("stone", "0", "2") + slab("water", "0", "3") + "}";
+  EXPECT_NE(media_seen(opaque, by_class), media_seen(opaque, wyvill_trotman()));
+  // What is not exactly there is not crossed, however near.
+  const std::string near =
+      kClear + "add() {\n" + slab("water", "1/1000000000000", "3") + slab("glass", "0", "2") + "}";
+  EXPECT_EQ(media_seen(near, by_class), media_seen(near, regularized()));
 }
 
 // A surface that lies ahead is not passed, however near.

@@ -40,6 +40,7 @@ TEST(MethodTest, ReadsWhatSpawnedRaysTakeOver) {
   EXPECT_FALSE(parse_method("wyvill-trotman").keeps_hit_leaf);
   const Method all = parse_method("wyvill-trotman:look-ahead-all:secondary:hybrid:keeps-hit-leaf");
   EXPECT_EQ(all.look_ahead, LookAhead::All);
+  EXPECT_EQ(parse_method("wyvill-trotman:look-ahead-class").look_ahead, LookAhead::Class);
   EXPECT_EQ(all.secondary, Secondary::Hybrid);
   EXPECT_TRUE(all.keeps_hit_leaf);
   EXPECT_EQ(parse_method("wyvill-trotman:secondary:cluster").secondary, Secondary::Cluster);
