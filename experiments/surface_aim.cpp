@@ -8,14 +8,13 @@
 namespace lamina::experiments {
 namespace {
 
+using geometry::normalised;
 using Point = geometry::Vector3<double>;
 
 struct SurfacePoint {
   Point point;
   Point normal;  // outwards, unit
 };
-
-Point normalised(const Point& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
 // A uniformly random point of a disc of radius 1.
 std::array<double, 2> in_disc(base::SeededStream& stream) {

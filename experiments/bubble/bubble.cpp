@@ -39,22 +39,24 @@ std::vector<Series> series(const Settings& settings) {
 }  // namespace
 
 Experiment bubble() {
-  return {.name = "bubble",
-          .question = "How long does a ray stay right that bounces inside a mirror sphere?",
-          .source = "Wyvill and Trotman 1990, section 3.4, Figure 8",
-          .labels = {{"bubble", "bubble",
-                      "plain: a block less a ball; doubled: less the same ball again."},
-                     {"spawn", "spawn", "See `lamina list spawns`."},
-                     {"bounces", "bounces",
-                      "Reflections in turn; the last ray is judged, if those before it hit what "
-                      "is there."}},
-          .default_rays = 960,
-          .default_methods =
-              "regularized,wyvill-trotman,wyvill-trotman:parity,"
-              "wyvill-trotman:secondary:cluster",
-          .default_numbers = "float,double,bin113",
-          .series = series,
-          .tables = spawned_tables};
+  return {
+      .name = "bubble",
+      .question = "How long does a ray stay right that bounces inside a mirror sphere?",
+      .source = "Wyvill and Trotman 1990, section 3.4, Figure 8",
+      .labels =
+          {{"bubble", "bubble",
+            "plain: a block less a ball; doubled: the block added to itself, less the ball twice."},
+           {"spawn", "spawn", "See `lamina list spawns`."},
+           {"bounces", "bounces",
+            "Reflections in turn; the last ray is judged, if those before it hit what "
+            "is there."}},
+      .default_rays = 960,
+      .default_methods =
+          "regularized,wyvill-trotman,wyvill-trotman:parity,"
+          "wyvill-trotman:secondary:cluster",
+      .default_numbers = "float,double,bin113",
+      .series = series,
+      .tables = spawned_tables};
 }
 
 }  // namespace lamina::experiments

@@ -38,19 +38,22 @@ std::vector<Series> series(const Settings& settings) {
 }  // namespace
 
 Experiment grazing_spawn() {
-  return {.name = "grazing-spawn",
-          .question = "Do rays that are spawned at a grazing hit leave, and stay away?",
-          .source = "Wyvill and Trotman 1990, sections 3.4 and 3.5",
-          .labels = {{"branch", "branch", ""},
-                     {"centre", "centre", "Coordinates of the unit ball's centre, about."},
-                     {"angle", "angle", "Of the incident ray to the surface, in radians."},
-                     {"spawn", "spawn", "See `lamina list spawns`."}},
-          .default_rays = 48'000,
-          .default_methods =
-              "regularized,wyvill-trotman,wyvill-trotman:parity,wyvill-trotman:secondary:cluster",
-          .default_numbers = "double,longdouble,bin113,bin237",
-          .series = series,
-          .tables = spawned_tables};
+  return {
+      .name = "grazing-spawn",
+      .question = "Do rays that are spawned at a grazing hit leave, and stay away?",
+      .source = "Wyvill and Trotman 1990, sections 3.4 and 3.5",
+      .labels =
+          {{"branch", "branch", ""},
+           {"centre", "centre", "Coordinates of the unit ball's centre, about."},
+           {"angle", "angle",
+            "At which the ray is aimed at the surface, in radians; its numbers are rounded then."},
+           {"spawn", "spawn", "See `lamina list spawns`."}},
+      .default_rays = 48'000,
+      .default_methods =
+          "regularized,wyvill-trotman,wyvill-trotman:parity,wyvill-trotman:secondary:cluster",
+      .default_numbers = "double,longdouble,bin113,bin237",
+      .series = series,
+      .tables = spawned_tables};
 }
 
 }  // namespace lamina::experiments

@@ -17,13 +17,13 @@ Aim steep_aim() {
             const double v = stream.unit();
             const auto target = patch.corner + u * patch.side1 + v * patch.side2;
             const auto normal = cross(patch.side1, patch.side2);
-            const auto up = (1 / std::sqrt(dot(normal, normal))) * normal;
+            const auto up = geometry::normalised(normal);
             return scene::ray_from(target + 10.0 * up + 5.0 * scene::random_direction(stream),
                                    target, scene::Held::Float);
           }};
 }
 
-// At a random point of the innermost ball, from outside.
+// At a random point of the innermost ball's inner half, from outside.
 Aim core_aim() {
   return {"core", [](const scene::FamilyMember& member, const scene::Scene& scene,
                      base::SeededStream& stream) {

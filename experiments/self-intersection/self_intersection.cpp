@@ -71,20 +71,23 @@ std::vector<Series> series(const Settings& settings) {
 }  // namespace
 
 Experiment self_intersection() {
-  return {.name = "self-intersection",
-          .question = "Does a spawned ray hit the surface that it starts on?",
-          .source = "Wyvill and Trotman 1990, sections 2 and 3.5",
-          .labels = {{"spawn", "spawn", "See `lamina list spawns`."},
-                     {"branch", "branch",
-                      "Shadow rays go to a far light; where it is behind the surface, none does."},
-                     {"solid", "solid", "Of half-width 1; ring: a torus of radii 1 and 1/4."},
-                     {"scale", "scale", "The solid and all distances are multiplied by it."},
-                     {"angle", "angle", "Of the incident ray to the surface, in radians."}},
-          .default_rays = 33'600,
-          .default_methods = "regularized,wyvill-trotman,wyvill-trotman:secondary:cluster",
-          .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
-          .series = series,
-          .tables = spawned_tables};
+  return {
+      .name = "self-intersection",
+      .question = "Does a spawned ray hit the surface that it starts on?",
+      .source = "Wyvill and Trotman 1990, sections 2 and 3.5",
+      .labels =
+          {{"spawn", "spawn", "See `lamina list spawns`."},
+           {"branch", "branch",
+            "Shadow rays go to a far light; where it is behind the surface, none does."},
+           {"solid", "solid", "Of half-width 1; ring: a torus of radii 1 and 1/4."},
+           {"scale", "scale", "The solid and all distances are multiplied by it."},
+           {"angle", "angle",
+            "At which the ray is aimed at the surface, in radians; its numbers are rounded then."}},
+      .default_rays = 33'600,
+      .default_methods = "regularized,wyvill-trotman,wyvill-trotman:secondary:cluster",
+      .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
+      .series = series,
+      .tables = spawned_tables};
 }
 
 }  // namespace lamina::experiments

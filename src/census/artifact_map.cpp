@@ -31,7 +31,10 @@ const std::array<FaultText, kFaultCount>& fault_texts() {
        "cyan",
        {0.10, 0.85, 0.95},
        "the ray hits the surface that it starts on, where it starts"},
-      {"undecided", "blue", {0.20, 0.30, 1.00}, "no precision tried has decided the truth"},
+      {"undecided",
+       "blue",
+       {0.20, 0.30, 1.00},
+       "no precision tried has decided the truth, or the ray lies in a surface"},
   }};
   return texts;
 }

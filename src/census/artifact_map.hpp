@@ -19,7 +19,7 @@ enum class Fault : std::uint8_t {
   WrongInterface,
   WrongStart,  ///< the medium that the ray starts in; its first interface is right
   SelfIntersection,
-  Undecided,  ///< no precision tried has decided the truth
+  Undecided,  ///< no precision tried has decided the truth, or the ray lies in a carrier
 };
 inline constexpr std::size_t kFaultCount = 7;
 
@@ -29,6 +29,7 @@ struct FaultText {
   trace::Color color;  ///< of the pixels
   std::string_view definition;
 };
+/// By the fault.
 const std::array<FaultText, kFaultCount>& fault_texts();
 
 /// The kinds of rays of a tree: primary rays, then as trace::Branch has them.
@@ -41,6 +42,7 @@ struct FaultCounts {
   std::array<std::uint64_t, kRayKindCount> unjudged{};  ///< spawned where no true ray is
   std::array<std::array<std::uint64_t, kFaultCount>, kRayKindCount> with{};
 
+  /// Adds all counts; leaves `first`.
   void add(const FaultCounts& other);
 };
 

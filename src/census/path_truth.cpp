@@ -203,7 +203,7 @@ Verdict judge_first(const PathTruth& truth, const trace::RayPath& path,
     found = there && matched.cls == true_class;
     if (matched.is_start) {
       ++verdict[Artifact::SelfIntersection];
-    } else if (!matched.cls || !classes[*matched.cls].is_interface()) {
+    } else if (!there || !matched.cls || !classes[*matched.cls].is_interface()) {
       ++verdict[Artifact::GhostHit];
     } else if (found) {
       const auto& effect = first->effect;

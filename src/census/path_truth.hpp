@@ -20,7 +20,7 @@ namespace lamina::census {
 /// spawned one all of one carrier, since different carriers are never found to be at equal s.
 struct PathClass {
   csg::CoincidentClass effect;
-  double s = 0;  ///< nearest to the exact place but for its last bits
+  double s = 0;  ///< within 2^-60 max(1, s) of the exact place
   std::uint32_t events = 0;
 
   [[nodiscard]] bool is_interface() const { return effect.transition.from != effect.transition.to; }

@@ -55,9 +55,11 @@ geometry::ExactRay parse_ray(std::string_view text) {
 trace::ImageSize parse_size(const std::string& text) {
   trace::ImageSize size;
   char rest = 0;
+  constexpr int kMost = 16384;
   if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 ||
-      size.width < 1 || size.height < 1) {
-    throw base::InputError(fmt::format("--size '{}': write it as WxH, as in 640x480", text));
+      size.width < 1 || size.height < 1 || size.width > kMost || size.height > kMost) {
+    throw base::InputError(
+        fmt::format("--size '{}': write it as WxH, as in 640x480, each up to {}", text, kMost));
   }
   return size;
 }

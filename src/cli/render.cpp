@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <mutex>
 
 #include "base/contract.hpp"
 #include "census/artifact_map.hpp"
@@ -32,61 +33,77 @@ struct Options {
   TableOptions tables;
 };
 
-struct Pictures {
-  trace::Image picture;
-  std::vector<census::FaultCounts> faults;  // by pixel; empty if they are not asked for
-};
-
 // What is right is grey and dark, with the scene faintly in it.
 trace::Color of_right_pixel(const std::array<std::uint8_t, 3>& seen) {
   const double grey = 0.08 + 0.35 * (0.3 * seen[0] + 0.6 * seen[1] + 0.1 * seen[2]) / 255;
   return {grey, grey, grey};
 }
 
-// The map, and below it a square for each fault in the order of the table.
-trace::Image artifact_map(const Pictures& made) {
-  constexpr int kSquare = 14;
-  const trace::ImageSize& size = made.picture.size();
-  trace::Image map({size.width, size.height + kSquare});
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      const auto& first = made.faults[static_cast<std::size_t>(y) * size.width + x].first;
-      map.set(x, y,
-              first ? census::fault_texts()[static_cast<std::size_t>(*first)].color
-                    : of_right_pixel(made.picture.at(x, y)));
-    }
+// A map of each pixel's first fault, made with the picture.
+class ArtifactMap {
+ public:
+  explicit ArtifactMap(const trace::ImageSize& size)
+      : width_(size.width), states_(static_cast<std::size_t>(size.width) * size.height, kNotDone) {}
+
+  void set(int x, int y, const census::FaultCounts& counts) {
+    states_[static_cast<std::size_t>(y) * width_ + x] =
+        counts.first ? static_cast<std::uint8_t>(*counts.first) : kRight;
   }
-  for (int y = 2; y < kSquare; ++y) {
-    const int squares = std::min(static_cast<int>(census::kFaultCount), size.width / kSquare);
-    for (int x = 0; x < squares * kSquare; ++x) {
-      if (x % kSquare >= 2) {
-        map.set(x, size.height + y, census::fault_texts()[x / kSquare].color);
+
+  // The map, and below it a square for each fault in the order of the table.
+  [[nodiscard]] trace::Image over(const trace::Image& picture) const {
+    constexpr int kSquare = 14;
+    const trace::ImageSize& size = picture.size();
+    trace::Image map({size.width, size.height + kSquare});
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const std::uint8_t state = states_[static_cast<std::size_t>(y) * width_ + x];
+        if (state != kNotDone) {
+          map.set(x, y,
+                  state == kRight ? of_right_pixel(picture.at(x, y))
+                                  : census::fault_texts()[state].color);
+        }
       }
     }
-  }
-  return map;
-}
-
-report::Table table_of(const std::vector<census::FaultCounts>& by_pixel) {
-  report::FaultPixels pixels{};
-  census::FaultCounts all;
-  for (const census::FaultCounts& counts : by_pixel) {
-    // A pixel that is not finished has no primary ray.
-    if (counts.rays[0] > 0) {
-      ++pixels[counts.first ? static_cast<std::size_t>(*counts.first) : census::kFaultCount];
-      all.add(counts);
+    const int squares = std::min(static_cast<int>(census::kFaultCount), size.width / kSquare);
+    for (int y = 2; y < kSquare; ++y) {
+      for (int x = 0; x < squares * kSquare; ++x) {
+        if (x % kSquare >= 2) {
+          map.set(x, size.height + y, census::fault_texts()[x / kSquare].color);
+        }
+      }
     }
+    return map;
   }
-  return report::fault_table(pixels, all);
-}
 
+  // Of the pixels that are done.
+  [[nodiscard]] report::FaultPixels pixels() const {
+    report::FaultPixels pixels{};
+    for (const std::uint8_t state : states_) {
+      if (state != kNotDone) {
+        ++pixels[state];
+      }
+    }
+    return pixels;
+  }
+
+ private:
+  static constexpr std::uint8_t kRight = census::kFaultCount;
+  static constexpr std::uint8_t kNotDone = kRight + 1;
+
+  int width_;
+  std::vector<std::uint8_t> states_;  // by pixel: a fault, or one of the two above
+};
+
+// Renders pixels, and counts their faults if they are asked for.
 struct Worker {
   std::unique_ptr<census::FaultFinder> faults;
   std::unique_ptr<trace::Whitted> whitted;
+  census::FaultCounts counts;
 };
 
 void run(const Options& options) {
-  options.tables.check({table_of({})});
+  options.tables.check({report::fault_table({}, {})});
   const scene::Scene scene = options.scene.open();
   if (!scene.camera) {
     throw base::InputError(fmt::format(
@@ -110,37 +127,44 @@ void run(const Options& options) {
   const poly::Solvers solvers = options.solvers.solvers();
   const trace::ImageSize size = parse_size(options.size);
   const bool judged = !options.artifacts.empty();
-  Pictures made{trace::Image(size), {}};
-  if (judged) {
-    made.faults.resize(static_cast<std::size_t>(size.width) * size.height);
-  }
+  trace::Image picture(size);
+  ArtifactMap map(size);
   // That they can be written shows before the work.
-  trace::write_png(made.picture, options.out);
+  trace::write_png(picture, options.out);
   if (judged) {
-    trace::write_png(made.picture, options.artifacts);
+    trace::write_png(picture, options.artifacts);
   }
 
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
+  std::vector<std::shared_ptr<Worker>> workers;
+  std::mutex workers_mutex;
   const auto make_work = [&]() -> trace::PixelWork {
     const auto worker = std::make_shared<Worker>();
     worker->faults = judged ? std::make_unique<census::FaultFinder>(scene) : nullptr;
     worker->whitted = std::make_unique<trace::Whitted>(scene, number.make_path(scene, solvers),
                                                        render, worker->faults.get());
+    const std::lock_guard lock(workers_mutex);
+    workers.push_back(worker);
     return [&, worker](int x, int y) {
-      made.picture.set(x, y, worker->whitted->color(trace::pixel_ray(*scene.camera, size, x, y)));
+      picture.set(x, y, worker->whitted->color(trace::pixel_ray(*scene.camera, size, x, y)));
       if (judged) {
-        made.faults[static_cast<std::size_t>(y) * size.width + x] = worker->faults->counts();
+        map.set(x, y, worker->faults->counts());
+        worker->counts.add(worker->faults->counts());
       }
     };
   };
   const bool finished =
       trace::each_pixel(size, options.threads, make_work, progress_bar(scene.name));
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  trace::write_png(made.picture, options.out);
+  trace::write_png(picture, options.out);
   if (judged) {
-    trace::write_png(artifact_map(made), options.artifacts);
-    print_tables({table_of(made.faults)}, options.tables);
+    trace::write_png(map.over(picture), options.artifacts);
+    census::FaultCounts counts;
+    for (const auto& worker : workers) {
+      counts.add(worker->counts);
+    }
+    print_tables({report::fault_table(map.pixels(), counts)}, options.tables);
   }
   fmt::print(stderr, "{}: {}, {:.1f} s{}\n", options.out, options.size, spent.count(),
              finished ? "" : "; interrupted: the rows below are black");

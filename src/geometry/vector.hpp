@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "number/rational.hpp"
 
@@ -52,5 +53,15 @@ struct Ray {
 
 using ExactPoint = Vector3<number::Rational>;
 using ExactRay = Ray<number::Rational>;
+
+/// Each coordinate rounded to the nearest double.
+inline Vector3<double> nearest_double(const ExactPoint& p) {
+  return {number::nearest_double(p.x), number::nearest_double(p.y), number::nearest_double(p.z)};
+}
+
+/// The vector of length one in the same direction; not finite for zero.
+inline Vector3<double> normalised(const Vector3<double>& v) {
+  return (1 / std::sqrt(dot(v, v))) * v;
+}
 
 }  // namespace lamina::geometry

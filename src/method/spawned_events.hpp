@@ -16,7 +16,7 @@ namespace lamina::method {
 /// that nothing writes down, but which carriers go through it is known.
 struct ExactStart {
   /// Encloses the point, with about that many bits after the binary point; none where a ray
-  /// before it is not certified so closely.
+  /// before it is not certified so closely. Copies share what is known: not for two threads.
   std::function<std::optional<geometry::Vector3<number::Interval>>(int bits)> point;
   std::vector<surface::CarrierIndex> carriers;  ///< all that go through the point, ascending
 };
@@ -29,7 +29,7 @@ ExactStart start_on(const scene::Scene& scene, const geometry::ExactRay& ray,
 struct SpawnedClass {
   surface::CarrierIndex carrier = 0;
   std::size_t root = 0;  ///< 0, 1, ... among the carrier's positive roots
-  double s = 0;          ///< nearest to the root but for its last bits
+  double s = 0;          ///< within 2^-60 max(1, s) of the root
 };
 
 /// The crossings with s > 0 of the ray start + s direction, the start an algebraic point, the

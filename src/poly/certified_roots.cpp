@@ -160,7 +160,7 @@ bool IsolatedRoot::newton_step() {
   const Rational high = upper * whole;
   const Integer from = std::max(Integer(numerator(low) / denominator(low) - 1), Integer(0));
   const Integer to = std::min(Integer(numerator(high) / denominator(high) + 2), whole);
-  if (from >= to || 4 * (to - from) > whole) {
+  if (4 * (to - from) > whole) {
     return false;
   }
   Coefficients inner = b;

@@ -53,13 +53,14 @@ struct RootFault {
   enum class Kind : std::uint8_t {
     None,
     Drop,    ///< one root of a polynomial is lost
-    Double,  ///< one root of a polynomial is given twice
+    Double,  ///< one root of a polynomial is given twice, if it has less than four
   };
   Kind kind = Kind::None;
   double rate = 0;  ///< of the polynomials with roots
 };
 
-/// Makes the mistake, or not, at random; the same for the same roots and `place`.
+/// Makes the mistake, or not, at random; the same for the same roots and `place`. The root 0 of a
+/// ray that starts on the surface is one as any other.
 template <RoundedNumber Number>
 void spoil(LineRoots<Number>& roots, const RootFault& fault, std::uint64_t place) {
   if (fault.kind == RootFault::Kind::None || roots.count == 0) {

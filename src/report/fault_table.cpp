@@ -39,7 +39,8 @@ Table fault_table(const FaultPixels& pixels, const census::FaultCounts& counts) 
                         counts.rays[kind] - counts.unjudged[kind], counts.rays[kind], kKinds[kind]);
   }
   table.notes.push_back(
-      rays + "; the others are spawned where the truth spawns none, after a fault before them.");
+      rays +
+      "; the others come after a ray with a fault, where the truth has none to compare with.");
   return table;
 }
 

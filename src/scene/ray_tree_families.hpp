@@ -11,11 +11,12 @@ namespace lamina::scene {
 /// of radii 1 and 1/4, placed at random and then scaled by 10^K.
 FamilyMember single(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
-/// K: a unit ball whose centre is 10^K from the origin along each axis.
+/// K: a unit ball placed at random near the origin and then moved by 10^K along each axis; not
+/// moved for K = 0.
 FamilyMember distant_ball(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
-/// plain | doubled: a block less a unit ball (W&T Figure 8, inside of a bubble), and less the
-/// same ball again.
+/// plain | doubled: a block less a unit ball (W&T Figure 8, inside of a bubble); doubled, the
+/// block is added to itself, and the ball taken away twice.
 FamilyMember bubble(const Parameters&, std::uint64_t seed, std::uint64_t case_id);
 
 /// plain | doubled: a block less a box that opens it from above: a square well, 1 wide and 40

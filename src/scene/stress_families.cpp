@@ -175,18 +175,22 @@ FamilyMember cleared_face(const Parameters&, std::uint64_t seed, std::uint64_t c
       b_floor, b_roof));
 }
 
+// The i-th of so many slabs whose tops lie in the plane; all depths differ.
+std::string slab_below(std::int64_t i, std::int64_t count, SeededStream& stream) {
+  const Length depth{count * stream.integer(2, 12) + i, 7};
+  const std::string top = below_plane(kTop, stream);
+  const std::string bottom =
+      below_plane(kTop - Rational(depth.numerator, depth.denominator), stream, -1);
+  return fmt::format("intersection() {{ {} {} }}", top, bottom);
+}
+
 FamilyMember glass_stack(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
   SeededStream stream("scene/glass-stack", seed, case_id);
   const std::int64_t count = whole(parameters[0], 1, 20);
   std::string slabs;
   for (std::int64_t i = 0; i < count; ++i) {
-    const Length depth{count * stream.integer(2, 12) + i, 7};  // all different: only tops coincide
-    const std::string top = below_plane(kTop, stream);
-    const std::string bottom =
-        below_plane(kTop - Rational(depth.numerator, depth.denominator), stream, -1);
-    slabs += fmt::format(
-        "  material(\"glass{0}\", color=[0.9, 0.9, 0.9, 1/2]) intersection() {{ {1} {2} }}\n",
-        i + 1, top, bottom);
+    slabs += fmt::format("  material(\"glass{}\", color=[0.9, 0.9, 0.9, 1/2]) {}\n", i + 1,
+                         slab_below(i, count, stream));
   }
   return on_the_plane("add() {\n" + slabs + "}\n");
 }
@@ -197,12 +201,8 @@ FamilyMember same_medium(const Parameters& parameters, std::uint64_t seed, std::
   SeededStream stream("scene/same-medium", seed, case_id);
   std::vector<std::string> slabs;
   for (std::int64_t i = 0; i < count; ++i) {
-    const Length depth{count * stream.integer(2, 12) + i, 7};  // all different: only tops coincide
-    const std::string top = below_plane(kTop, stream);
-    const std::string bottom =
-        below_plane(kTop - Rational(depth.numerator, depth.denominator), stream, -1);
-    slabs.push_back(fmt::format("material(\"{}\") intersection() {{ {} {} }}\n",
-                                i % 2 == 0 ? "a" : "b", top, bottom));
+    slabs.push_back(
+        fmt::format("material(\"{}\") {}\n", i % 2 == 0 ? "a" : "b", slab_below(i, count, stream)));
   }
   if (shape == "flat") {
     return on_the_plane(fmt::format("add() {{\n{}}}\n", fmt::join(slabs, "")));

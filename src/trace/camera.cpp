@@ -9,18 +9,13 @@ namespace {
 
 using Vector = geometry::Vector3<double>;
 
-Vector to_double(const geometry::ExactPoint& p) {
-  using number::nearest_double;
-  return {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
-}
-
-Vector normalised(const Vector& v) {
-  const double length = std::sqrt(dot(v, v));
-  if (!(length > 0)) {
+// Throws if the camera does not say it.
+Vector direction_of(const Vector& v) {
+  if (!(dot(v, v) > 0)) {
     throw base::InputError(
         "camera: eye and look_at must differ, and up must not point along the view");
   }
-  return (1 / length) * v;
+  return geometry::normalised(v);
 }
 
 geometry::ExactPoint rounded_to_float(const Vector& v) {
@@ -32,16 +27,16 @@ geometry::ExactPoint rounded_to_float(const Vector& v) {
 
 geometry::ExactRay pixel_ray(const scene::Camera& camera, const ImageSize& size, double x,
                              double y) {
-  const Vector eye = to_double(camera.eye);
-  const Vector forward = normalised(to_double(camera.look_at) - eye);
-  const Vector right = normalised(cross(forward, to_double(camera.up)));
+  const Vector eye = geometry::nearest_double(camera.eye);
+  const Vector forward = direction_of(geometry::nearest_double(camera.look_at) - eye);
+  const Vector right = direction_of(cross(forward, geometry::nearest_double(camera.up)));
   const Vector up = cross(right, forward);
   const double half_height = std::tan(number::nearest_double(camera.fov_degrees) * M_PI / 360);
   const double pixel = 2 * half_height / size.height;
   const double across = (x + 0.5 - 0.5 * size.width) * pixel;
   const double upward = (0.5 * size.height - y - 0.5) * pixel;
   return {rounded_to_float(eye),
-          rounded_to_float(normalised(forward + across * right + upward * up))};
+          rounded_to_float(direction_of(forward + across * right + upward * up))};
 }
 
 std::vector<geometry::ExactRay> camera_rays(const scene::Camera& camera, std::uint64_t count,

@@ -17,6 +17,9 @@ std::array<std::uint8_t, 3> Image::at(int x, int y) const {
 
 void Image::set(int x, int y, const Color& color) {
   const auto byte = [](double part) {
+    if (std::isnan(part)) {
+      return std::uint8_t{0};
+    }
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
   };
   const std::size_t first = offset(x, y);

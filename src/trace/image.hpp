@@ -22,7 +22,9 @@ class Image {
   [[nodiscard]] const ImageSize& size() const { return size_; }
   /// Three bytes for each pixel.
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+  /// (0, 0) is at the top left.
   [[nodiscard]] std::array<std::uint8_t, 3> at(int x, int y) const;
+  /// Cut off to 0 .. 1 and rounded to one of 256 equal steps, without gamma; NaN is black.
   void set(int x, int y, const Color& color);
 
   friend bool operator==(const Image& a, const Image& b) { return a.bytes_ == b.bytes_; }

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "method/method.hpp"
 #include "method/report.hpp"
@@ -24,10 +23,8 @@ enum class Extent : std::uint8_t {
 /// Where a ray first meets an interface, as the number type holds it, each number rounded to
 /// double.
 struct PathHit {
-  csg::LeafIndex leaf = 0;
-  double t = 0;
   geometry::Vector3<double> point;
-  geometry::Vector3<double> gradient;  ///< of the leaf's f, not normalised
+  geometry::Vector3<double> gradient;  ///< of the hit leaf's f, not normalised, not zero
 };
 
 /// A path down the ray tree: the present ray, and those that it is spawned from, each at its
@@ -47,7 +44,7 @@ class RayPath {
   /// The double nearest to a crossing's t.
   [[nodiscard]] virtual double t(std::size_t crossing) const = 0;
   /// The first interface of the present ray's last run; none where it has none, or where its
-  /// point is beyond the number type's range.
+  /// point or its gradient is beyond the number type's range.
   [[nodiscard]] virtual std::optional<PathHit> hit() const = 0;
 
   /// Makes the ray spawned at the present one's first interface the present one. Returns its

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "base/contract.hpp"
 #include "method/classify.hpp"
@@ -35,6 +36,7 @@ class RayPathOf final : public RayPath {
   }
 
   void run(const method::Method& method, method::Report& report, Extent extent) override {
+    LAMINA_REQUIRE(followed_ == depth_, "after back() a ray only spawns others");
     Level& level = present();
     method::Classifier classifier(scene_, events_, state_, report, method::IgnoreEvents{});
     classifier.inherit({level.inherited, level.validated});
@@ -64,8 +66,7 @@ class RayPathOf final : public RayPath {
     if (!level.is_hit) {
       return std::nullopt;
     }
-    return PathHit{level.leaf, to_double(level.t), to_double(level.point),
-                   to_double(level.gradient)};
+    return PathHit{to_double(level.point), to_double(level.gradient)};
   }
 
   std::optional<geometry::ExactPoint> spawn(const method::Method& method,
@@ -108,7 +109,6 @@ class RayPathOf final : public RayPath {
     bool is_hit = false;                  // is the rest known, of the ray's first interface?
     csg::LeafIndex leaf = 0;
     csg::Transition transition;
-    Number t{};
     Vector point;
     Vector gradient;
     std::vector<std::uint8_t> states;  // of the leaves, behind the hit
@@ -122,14 +122,15 @@ class RayPathOf final : public RayPath {
     const auto& crossing = events_.crossings()[interface.crossing];
     level.leaf = crossing.leaf;
     level.transition = interface.transition;
-    level.t = crossing.t;
     level.point = events_.point(crossing.t);
     level.gradient = events_.gradient(crossing.leaf, level.point);
     level.states.resize(scene_.leaves.size());
     for (csg::LeafIndex leaf = 0; leaf < level.states.size(); ++leaf) {
       level.states[leaf] = state_.inside(leaf) ? Inherited::kInside : Inherited::kOutside;
     }
-    level.is_hit = is_finite(level.point);
+    const Number squared = dot(level.gradient, level.gradient);
+    level.is_hit =
+        is_finite(level.point) && squared > 0 && method::RayEvents<Number>::finite(squared);
   }
 
   [[nodiscard]] std::span<const csg::LeafIndex> leaves_on_surface_of(csg::LeafIndex leaf) const {
@@ -147,9 +148,13 @@ class RayPathOf final : public RayPath {
   }
 
   static double to_double(const Number& value) {
-    return method::RayEvents<Number>::finite(value)
-               ? number::nearest_double(Traits::to_exact(value))
-               : static_cast<double>(value);
+    if constexpr (std::is_same_v<Number, float> || std::is_same_v<Number, double>) {
+      return value;
+    } else {
+      return method::RayEvents<Number>::finite(value)
+                 ? number::nearest_double(Traits::to_exact(value))
+                 : static_cast<double>(value);
+    }
   }
 
   static geometry::Vector3<double> to_double(const Vector& v) {
@@ -160,6 +165,7 @@ class RayPathOf final : public RayPath {
   void follow(const geometry::Ray<Number>& ray, std::span<const csg::LeafIndex> left) {
     present().ray = ray;
     present().is_hit = false;
+    followed_ = depth_;
     events_.find(ray, left);
     crossings_.clear();
     for (const auto& c : events_.crossings()) {
@@ -239,7 +245,7 @@ class RayPathOf final : public RayPath {
       }
       const auto moved = [&distance](const Number& p, const Number& n) {
         const Number q = p + distance * n;
-        return n > 0 ? Number(q + ulp(q)) : n < 0 ? Number(q - ulp(q)) : q;
+        return q == 0 || n == 0 ? q : n > 0 ? Number(q + ulp(q)) : Number(q - ulp(q));
       };
       return {moved(point.x, normal.x), moved(point.y, normal.y), moved(point.z, normal.z)};
     }
@@ -332,6 +338,7 @@ class RayPathOf final : public RayPath {
   Number scene_size_{0};
   std::vector<Level> levels_;  // from the primary ray down; those below depth_ are spare
   std::size_t depth_ = 0;
+  std::size_t followed_ = 0;  // the depth whose ray events_ and crossings_ are of
   std::vector<method::CrossingId> crossings_;
 };
 

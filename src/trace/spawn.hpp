@@ -16,20 +16,23 @@ enum class Branch : std::uint8_t {
 };
 
 /// Where a spawned ray starts, given the rounded hit point p, and what it knows of the surface
-/// that it leaves, whatever the method.
+/// that it leaves.
 struct SpawnPolicy {
   enum class Kind : std::uint8_t {
     None,          ///< at p
     Offset,        ///< at p + epsilon along the ray (W&T 2)
     NormalOffset,  ///< at p + epsilon along the normal, to the side the ray goes to
     /// At p, each coordinate moved along the normal n by (int)(multiple n) units in its last
-    /// place, or by n / 65536 where |p| < 1/32 (Wächter and Binder, Ray Tracing Gems, ch. 6).
+    /// place, or by n / 65536, in every number type, where |p| < 1/32 (Wächter and Binder, Ray
+    /// Tracing Gems, ch. 6, who add to the integer representation: the same but where a move
+    /// crosses a power of two).
     UlpOffset,
     /// At p, moved along the normal by a bound of p's distance to the surface, and then each
     /// coordinate to the next number (pbrt, 4th edition, 6.8); see RayEvents::distance_bound.
     ErrorBound,
     /// At p; the hit leaf is as the hit makes it, and its events that contradict that are
-    /// rejected, by methods that reject none otherwise too (W&T 3.5).
+    /// rejected, by methods that reject none otherwise too (W&T 3.5). A method without states,
+    /// as wyvill-sharp, has none to hand on: to it this is None.
     LeafState,
     /// At p; the root s = 0 of the surface just left is divided out of the polynomials of all
     /// leaves that share it, instead of being searched for.

@@ -1,18 +1,14 @@
 #include "trace/whitted.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamina::trace {
 namespace {
 
+using geometry::nearest_double;
+using geometry::normalised;
 using Vector = geometry::Vector3<double>;
-
-Vector normalised(const Vector& v) { return (1 / std::sqrt(dot(v, v))) * v; }
-
-Vector to_double(const geometry::ExactPoint& p) {
-  using number::nearest_double;
-  return {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
-}
 
 Color mixed(const Color& a, const Color& b, double part_of_b) {
   return (1 - part_of_b) * a + part_of_b * b;
@@ -67,7 +63,7 @@ Color Whitted::color(const geometry::ExactRay& primary) {
   if (observer_ != nullptr) {
     observer_->primary(primary, *path_, report_);
   }
-  return seen(to_double(primary.direction), 0);
+  return seen(nearest_double(primary.direction), 0);
 }
 
 // What the present ray, which the method has just run on, brings.
@@ -113,7 +109,7 @@ Color Whitted::lit(const Surface& surface) {
   const double matt = (1 - material.mirror) * material.color[3];
   Color light = matt * material.ambient * surface.color;
   for (const scene::Light& lamp : scene_.lights) {
-    const Vector to_lamp = normalised(to_double(lamp.position) - surface.point);
+    const Vector to_lamp = normalised(nearest_double(lamp.position) - surface.point);
     const double cosine = dot(surface.normal, to_lamp);
     if (cosine <= 0) {
       continue;
@@ -135,9 +131,9 @@ Color Whitted::lit(const Surface& surface) {
 
 // The part of a lamp's light that reaches the present ray's hit.
 double Whitted::light_from(const scene::Light& lamp) {
-  const auto direction =
-      path_->spawn(options_.method,
-                   {.branch = Branch::Shadow, .policy = options_.policy, .light = lamp.position});
+  spawn_.branch = Branch::Shadow;
+  spawn_.light = lamp.position;
+  const auto direction = path_->spawn(options_.method, spawn_);
   if (!direction) {
     return 0;
   }
@@ -162,21 +158,21 @@ double Whitted::light_from(const scene::Light& lamp) {
 
 // What a spawned ray brings; none at total internal reflection, black beyond the tree's depth.
 std::optional<Color> Whitted::spawned(Branch branch, int depth) {
-  const auto direction =
-      path_->spawn(options_.method, {.branch = branch, .policy = options_.policy});
+  if (depth == options_.depth) {
+    return Color{0, 0, 0};
+  }
+  spawn_.branch = branch;
+  const auto direction = path_->spawn(options_.method, spawn_);
   if (!direction) {
     return std::nullopt;
   }
-  Color light{0, 0, 0};
-  if (depth < options_.depth) {
-    path_->run(options_.method, report_);
-    if (observer_ != nullptr) {
-      observer_->spawned(branch, *direction, *path_, report_);
-    }
-    light = seen(to_double(*direction), depth + 1);
-    if (observer_ != nullptr) {
-      observer_->back();
-    }
+  path_->run(options_.method, report_);
+  if (observer_ != nullptr) {
+    observer_->spawned(branch, *direction, *path_, report_);
+  }
+  const Color light = seen(nearest_double(*direction), depth + 1);
+  if (observer_ != nullptr) {
+    observer_->back();
   }
   path_->back();
   return light;

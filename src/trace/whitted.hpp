@@ -38,14 +38,18 @@ struct RenderOptions {
 ///
 /// The light that comes from a surface with colour C, opacity a and mirror factor m is
 ///   (1 - m) (a (ambient C + sum of diffuse C cos) + (1 - a) transmitted) + m reflected
-/// and the highlights. Geometry is in the path's number type, light in double.
+/// and the highlights, where a material is entered; where one is left and none entered, a is 0 and
+/// there are no highlights. Geometry is in the path's number type, light in double.
 class Whitted {
  public:
   /// `observer` may be null.
   Whitted(const scene::Scene& scene, std::unique_ptr<RayPath> path, const RenderOptions& options,
           TreeObserver* observer)
-      : scene_(scene), path_(std::move(path)), options_(options), observer_(observer) {}
+      : scene_(scene), path_(std::move(path)), options_(options), observer_(observer) {
+    spawn_.policy = options.policy;
+  }
 
+  /// The light that a primary ray brings; black beyond the tree's depth.
   [[nodiscard]] Color color(const geometry::ExactRay& primary);
 
  private:
@@ -60,6 +64,7 @@ class Whitted {
   std::unique_ptr<RayPath> path_;
   RenderOptions options_;
   TreeObserver* observer_;
+  Spawn spawn_;  // of the ray that is spawned next
   method::Report report_;
   method::Report shadow_report_;
 };
