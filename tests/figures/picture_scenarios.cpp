@@ -12,7 +12,7 @@ namespace {
 
 using census::Fault;
 
-constexpr trace::ImageSize kSize{32, 24};
+constexpr trace::ImageSize kSize{24, 18};
 constexpr int kDepth = 4;
 
 struct Picture {
