@@ -151,5 +151,33 @@ TEST(CertifiedRootsTest, StepsAreMostlyNewtons) {
   EXPECT_GE(root.bounds().upper, Rational(2, 3));
 }
 
+// Of coefficients that are known to 2^-40 only: no step loses the root of any polynomial that they
+// enclose, and refining ends where they do not tell more.
+TEST(CertifiedRootsTest, StepsOnWideCoefficientsKeepTheRoot) {
+  const Rational off = Rational(1) / (Integer(1) << 40);
+  for (int k = 1; k <= 20; ++k) {
+    const Rational root(k, 7);
+    const std::vector<Rational> exact =
+        product_of({root, Rational(-2), Rational(100)}, k % 2 == 0 ? 1 : -3);
+    std::vector<Interval> wide;
+    for (const Rational& c : exact) {
+      wide.emplace_back(Enclosure{c - off, c + off}, kBits);
+    }
+    auto roots = positive_roots(wide);
+    ASSERT_TRUE(roots) << k;
+    ASSERT_EQ(roots->size(), 2U) << k;
+    IsolatedRoot& first = roots->front();
+    const Rational u = root / (1 + root);
+    int steps = 0;
+    do {
+      EXPECT_LE(first.bounds().lower, u) << k;
+      EXPECT_GE(first.bounds().upper, u) << k;
+      ASSERT_LT(++steps, 200) << k;
+    } while (first.refine());
+    const Rational width = first.bounds().upper - first.bounds().lower;
+    EXPECT_LT(width, Rational(1) / (Integer(1) << 30)) << k;
+  }
+}
+
 }  // namespace
 }  // namespace lamina::poly
