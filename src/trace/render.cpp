@@ -4,7 +4,6 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace lamina::trace {
@@ -16,13 +15,10 @@ bool each_pixel(const ImageSize& size, int threads, const std::function<PixelWor
     limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
   }
   tbb::enumerable_thread_specific<PixelWork> works(make_work);
-  constexpr int kRows = 4;
-  for (int first = 0; first < size.height; first += kRows) {
-    const int last = std::min(first + kRows, size.height);
-    tbb::parallel_for(first * size.width, last * size.width,
-                      [&](int pixel) { works.local()(pixel % size.width, pixel / size.width); });
-    const auto width = static_cast<std::uint64_t>(size.width);
-    if (!progress(width * last, width * size.height) && last < size.height) {
+  const auto width = static_cast<std::uint64_t>(size.width);
+  for (int y = 0; y < size.height; ++y) {
+    tbb::parallel_for(0, size.width, [&](int x) { works.local()(x, y); });
+    if (!progress(width * (y + 1), width * size.height) && y + 1 < size.height) {
       return false;
     }
   }

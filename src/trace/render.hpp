@@ -11,7 +11,7 @@ namespace lamina::trace {
 /// Does one pixel; each thread has one of its own.
 using PixelWork = std::function<void(int x, int y)>;
 
-/// Called between blocks of rows: pixels done and in all; returns false to stop.
+/// Called between rows: pixels done and in all; returns false to stop.
 using PixelProgress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 /// Does every pixel once, rows from the top. Returns false if it was stopped early. What is done
