@@ -93,7 +93,8 @@ struct Task {
   scene::Scene scene;
   std::vector<geometry::ExactRay> rays;
   /// What each ray spawns in turn, at first interfaces. The last one spawned is judged, if the
-  /// method is right on those before it; if there are none, the ray itself.
+  /// first interfaces of those before it are where the truth's are; if there are none, the ray
+  /// itself.
   std::vector<trace::Spawn> spawns{};
 };
 using TaskMaker = std::function<Task(std::size_t)>;

@@ -1,18 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
 
 #include "base/contract.hpp"
-#include "census/artifact_map.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/tables.hpp"
-#include "report/fault_table.hpp"
+#include "report/artifact_map.hpp"
 #include "trace/render.hpp"
 #include "trace/whitted.hpp"
 
@@ -33,68 +31,6 @@ struct Options {
   TableOptions tables;
 };
 
-// What is right is grey and dark, with the scene faintly in it.
-trace::Color of_right_pixel(const std::array<std::uint8_t, 3>& seen) {
-  const double grey = 0.08 + 0.35 * (0.3 * seen[0] + 0.6 * seen[1] + 0.1 * seen[2]) / 255;
-  return {grey, grey, grey};
-}
-
-// A map of each pixel's first fault, made with the picture.
-class ArtifactMap {
- public:
-  explicit ArtifactMap(const trace::ImageSize& size)
-      : width_(size.width), states_(static_cast<std::size_t>(size.width) * size.height, kNotDone) {}
-
-  void set(int x, int y, const census::FaultCounts& counts) {
-    states_[static_cast<std::size_t>(y) * width_ + x] =
-        counts.first ? static_cast<std::uint8_t>(*counts.first) : kRight;
-  }
-
-  // The map, and below it a square for each fault in the order of the table.
-  [[nodiscard]] trace::Image over(const trace::Image& picture) const {
-    constexpr int kSquare = 14;
-    const trace::ImageSize& size = picture.size();
-    trace::Image map({size.width, size.height + kSquare});
-    for (int y = 0; y < size.height; ++y) {
-      for (int x = 0; x < size.width; ++x) {
-        const std::uint8_t state = states_[static_cast<std::size_t>(y) * width_ + x];
-        if (state != kNotDone) {
-          map.set(x, y,
-                  state == kRight ? of_right_pixel(picture.at(x, y))
-                                  : census::fault_texts()[state].color);
-        }
-      }
-    }
-    const int squares = std::min(static_cast<int>(census::kFaultCount), size.width / kSquare);
-    for (int y = 2; y < kSquare; ++y) {
-      for (int x = 0; x < squares * kSquare; ++x) {
-        if (x % kSquare >= 2) {
-          map.set(x, size.height + y, census::fault_texts()[x / kSquare].color);
-        }
-      }
-    }
-    return map;
-  }
-
-  // Of the pixels that are done.
-  [[nodiscard]] report::FaultPixels pixels() const {
-    report::FaultPixels pixels{};
-    for (const std::uint8_t state : states_) {
-      if (state != kNotDone) {
-        ++pixels[state];
-      }
-    }
-    return pixels;
-  }
-
- private:
-  static constexpr std::uint8_t kRight = census::kFaultCount;
-  static constexpr std::uint8_t kNotDone = kRight + 1;
-
-  int width_;
-  std::vector<std::uint8_t> states_;  // by pixel: a fault, or one of the two above
-};
-
 // Renders pixels, and counts their faults if they are asked for.
 struct Worker {
   std::unique_ptr<census::FaultFinder> faults;
@@ -103,7 +39,7 @@ struct Worker {
 };
 
 void run(const Options& options) {
-  options.tables.check({report::fault_table({}, {})});
+  options.tables.check({report::fault_table(report::ArtifactMap({0, 0}), {})});
   const scene::Scene scene = options.scene.open();
   if (!scene.camera) {
     throw base::InputError(fmt::format(
@@ -128,11 +64,11 @@ void run(const Options& options) {
   const trace::ImageSize size = parse_size(options.size);
   const bool judged = !options.artifacts.empty();
   trace::Image picture(size);
-  ArtifactMap map(size);
-  // That they can be written shows before the work.
-  trace::write_png(picture, options.out);
+  report::ArtifactMap map(size);
+  // That they can be written shows before the work, which replaces what is there.
+  trace::require_writable(options.out);
   if (judged) {
-    trace::write_png(picture, options.artifacts);
+    trace::require_writable(options.artifacts);
   }
 
   catch_interrupts();
@@ -149,7 +85,7 @@ void run(const Options& options) {
     return [&, worker](int x, int y) {
       picture.set(x, y, worker->whitted->color(trace::pixel_ray(*scene.camera, size, x, y)));
       if (judged) {
-        map.set(x, y, worker->faults->counts());
+        map.set(x, y, worker->faults->counts().first);
         worker->counts.add(worker->faults->counts());
       }
     };
@@ -164,7 +100,7 @@ void run(const Options& options) {
     for (const auto& worker : workers) {
       counts.add(worker->counts);
     }
-    print_tables({report::fault_table(map.pixels(), counts)}, options.tables);
+    print_tables({report::fault_table(map, counts)}, options.tables);
   }
   fmt::print(stderr, "{}: {}, {:.1f} s{}\n", options.out, options.size, spent.count(),
              finished ? "" : "; interrupted: the rows below are black");

@@ -40,7 +40,7 @@ struct Hit {
 
 /// Goes along one ray and fills the report: a method's parts decide what is done at once,
 /// what a leaf's state is, and which events count. Allocates nothing once `report` and
-/// `state` have seen a ray.
+/// `state` have seen a ray, but for LookAhead::All and Class, which mark crossings.
 template <number::RealNumber Number, typename OnEvent>
 class Classifier {
  public:

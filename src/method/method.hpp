@@ -56,8 +56,9 @@ enum class Secondary : std::uint8_t {
   Parity,   ///< each ray anew, from its crossings behind the start (W&T 3.7)
   Inherit,  ///< all from the ray before it, as it was at the hit (W&T 3.3, 3.5)
   Hybrid,   ///< the hit leaf's from the ray before it, the others' anew
-  /// All from the ray before it: reflected and shadow rays as it was before the class of
-  /// exactly coincident events at the hit, transmitted ones as it is after that class.
+  /// All from the ray before it: reflected and shadow rays as it was before the leaves that
+  /// share the hit leaf's carrier, which coincide exactly, were crossed; transmitted ones as it
+  /// is when all of them are.
   Cluster,
 };
 

@@ -55,10 +55,8 @@ class TracerOf final : public Tracer {
     const auto& root = events_.crossings()[crossing].t;
     if constexpr (number::ExactNumber<Number>) {
       return nearest_double(root);
-    } else if (!events_.finite(root)) {
-      return static_cast<double>(root);
     } else {
-      return number::nearest_double(number::number_traits<Number>::to_exact(root));
+      return number::to_double(root);
     }
   }
 

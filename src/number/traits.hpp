@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <string>
+#include <type_traits>
 
 #include "number/algebraic.hpp"
 #include "number/bin_float_mended.hpp"
@@ -116,6 +117,17 @@ struct number_traits<exact> {
   static exact from_exact(const Rational& q) { return q; }
   static Rational to_exact(const exact& value) { return value; }
 };
+
+/// The double nearest to the value; infinities and NaN stay what they are.
+template <RoundedNumber Number>
+double to_double(const Number& value) {
+  if constexpr (std::is_same_v<Number, float> || std::is_same_v<Number, double>) {
+    return value;
+  } else {
+    return value - value == 0 ? nearest_double(number_traits<Number>::to_exact(value))
+                              : static_cast<double>(value);
+  }
+}
 
 /// Half the distance from 1 to the next number: 2^-significand bits.
 template <RoundedNumber Number>

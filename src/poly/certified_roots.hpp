@@ -42,7 +42,8 @@ class IsolatedRoot {
 /// multiple root, or intervals that are too wide for close ones, for one near zero or beyond
 /// all bounds.
 ///
-/// Descartes' rule of signs in the Bernstein basis, with bisection (Collins and Akritas 1976).
+/// Descartes' rule of signs in the Bernstein basis, with bisection (Collins and Akritas 1976);
+/// the roots are refined by the interval Newton method (Moore 1966).
 std::optional<std::vector<IsolatedRoot>> positive_roots(std::vector<number::Interval> ascending);
 
 /// Returns the order of two roots of different polynomials, refining both until they are

@@ -4,7 +4,11 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 
 #include "base/contract.hpp"
 
@@ -26,6 +30,17 @@ void Image::set(int x, int y, const Color& color) {
   bytes_[first] = byte(color.x);
   bytes_[first + 1] = byte(color.y);
   bytes_[first + 2] = byte(color.z);
+}
+
+void require_writable(const std::string& path) {
+  const bool existed = std::filesystem::exists(path);
+  if (!std::ofstream(path, std::ios::app)) {
+    throw base::InputError(
+        fmt::format("picture '{}' cannot be written: {}", path, std::strerror(errno)));
+  }
+  if (!existed) {
+    std::filesystem::remove(path);
+  }
 }
 
 void write_png(const Image& image, const std::string& path) {

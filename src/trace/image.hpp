@@ -38,6 +38,9 @@ class Image {
   std::vector<std::uint8_t> bytes_;
 };
 
+/// Throws base::InputError if no file can be written there. Leaves what is there as it is.
+void require_writable(const std::string& path);
+
 /// Writes a PNG file. Throws base::InputError if it cannot be written.
 void write_png(const Image& image, const std::string& path);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include "base/contract.hpp"
 #include "method/classify.hpp"
@@ -58,7 +57,7 @@ class RayPathOf final : public RayPath {
   }
 
   [[nodiscard]] double t(std::size_t crossing) const override {
-    return to_double(events_.crossings()[crossing].t);
+    return number::to_double(events_.crossings()[crossing].t);
   }
 
   [[nodiscard]] std::optional<PathHit> hit() const override {
@@ -147,18 +146,8 @@ class RayPathOf final : public RayPath {
     return sqrt(dot(v, v));
   }
 
-  static double to_double(const Number& value) {
-    if constexpr (std::is_same_v<Number, float> || std::is_same_v<Number, double>) {
-      return value;
-    } else {
-      return method::RayEvents<Number>::finite(value)
-                 ? number::nearest_double(Traits::to_exact(value))
-                 : static_cast<double>(value);
-    }
-  }
-
   static geometry::Vector3<double> to_double(const Vector& v) {
-    return {to_double(v.x), to_double(v.y), to_double(v.z)};
+    return {number::to_double(v.x), number::to_double(v.y), number::to_double(v.z)};
   }
 
   // Leaves in `left` share the surface that the ray leaves: its root s = 0 is divided out.

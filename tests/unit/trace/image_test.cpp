@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <filesystem>
+
 #include "base/contract.hpp"
 #include "support/scratch.hpp"
 
@@ -33,6 +35,16 @@ TEST(ImageTest, ReadsBackAsItWasWritten) {
   std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(description));
   ASSERT_NE(png_image_finish_read(&description, nullptr, bytes.data(), 0, nullptr), 0);
   EXPECT_EQ(bytes, image.bytes());
+}
+
+TEST(ImageTest, AskingWhetherAFileCanBeWrittenLeavesIt) {
+  const test::Scratch scratch;
+  const std::string kept = scratch.write("kept.png", "old");
+  require_writable(kept);
+  EXPECT_EQ(std::filesystem::file_size(kept), 3U);
+  require_writable(scratch.path("new.png"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("new.png")));
+  EXPECT_THROW(require_writable("/nowhere/image.png"), base::InputError);
 }
 
 TEST(ImageTest, SaysWhereItCannotWrite) {
