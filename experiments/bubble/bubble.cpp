@@ -54,7 +54,7 @@ Experiment bubble() {
       .default_methods =
           "regularized,wyvill-trotman,wyvill-trotman:parity,"
           "wyvill-trotman:secondary:cluster",
-      .default_numbers = "float,double,bin113",
+      .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
       .series = series,
       .tables = spawned_tables};
 }

@@ -46,7 +46,7 @@ Experiment gap_ulps() {
           .default_rays = 24'000,
           .default_methods =
               "roth,wyvill-sharp,epsilon:1e-12,regularized,wyvill-trotman,wyvill-trotman:parity",
-          .default_numbers = "double,longdouble,bin113,exact",
+          .default_numbers = "bin11,float,double,longdouble,bin113,bin237,exact",
           .series = series};
 }
 

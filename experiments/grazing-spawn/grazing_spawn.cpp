@@ -51,7 +51,7 @@ Experiment grazing_spawn() {
       .default_rays = 48'000,
       .default_methods =
           "regularized,wyvill-trotman,wyvill-trotman:parity,wyvill-trotman:secondary:cluster",
-      .default_numbers = "double,longdouble,bin113,bin237",
+      .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
       .series = series,
       .tables = spawned_tables};
 }

@@ -59,7 +59,7 @@ Experiment near_tangent() {
                       "it."}},
           .default_rays = 21'000,
           .default_methods = "roth,regularized,wyvill-trotman,wyvill-trotman:parity",
-          .default_numbers = "double,longdouble,bin113,exact",
+          .default_numbers = "bin11,float,double,longdouble,bin113,bin237,exact",
           .series = series};
 }
 

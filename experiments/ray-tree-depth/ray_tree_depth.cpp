@@ -77,7 +77,7 @@ Experiment ray_tree_depth() {
           "regularized,wyvill-trotman,wyvill-trotman:secondary:parity,"
           "wyvill-trotman:secondary:hybrid,wyvill-trotman:keeps-hit-leaf,"
           "wyvill-trotman:secondary:cluster",
-      .default_numbers = "float,double,bin113",
+      .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
       .series = series,
       .tables = spawned_tables};
 }

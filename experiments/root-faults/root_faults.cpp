@@ -40,7 +40,7 @@ Experiment root_faults() {
                  {"rate", "rate", "Of the leaves that the ray crosses, the part it is done to."}},
       .default_rays = 48'000,
       .default_methods = "roth,wyvill-sharp,regularized,wyvill-trotman,wyvill-trotman:parity",
-      .default_numbers = "double",
+      .default_numbers = "bin11,float,double,longdouble,bin113,bin237",
       .series = series};
 }
 

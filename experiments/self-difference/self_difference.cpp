@@ -38,7 +38,7 @@ Experiment self_difference() {
                      {"equation", "equation",
                       "Of the second solid: the same, or the same scaled by 3."}},
           .default_rays = 9'600,
-          .default_numbers = "float,double,bin113,exact",
+          .default_numbers = "bin11,float,double,longdouble,bin113,bin237,exact",
           .series = series};
 }
 
