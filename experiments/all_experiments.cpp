@@ -38,7 +38,9 @@ const std::vector<Experiment>& all_experiments() {
                                            same_medium(),
                                            root_faults(),
                                            gap_ulps(),
-                                           real_models()};
+                                           real_models(),
+                                           solver_accuracy(),
+                                           solver_effect()};
   return all;
 }
 

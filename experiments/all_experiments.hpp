@@ -27,6 +27,8 @@ Experiment same_medium();
 Experiment self_difference();
 Experiment self_intersection();
 Experiment self_sum();
+Experiment solver_accuracy();
+Experiment solver_effect();
 Experiment start_state();
 Experiment thin_wall();
 Experiment touching_stack();

@@ -47,8 +47,7 @@ report::Table clock_table(const Experiment& experiment, const census::RunStore& 
                         {"seconds", "seconds", "By the clock, of all methods and number types."},
                         {"rays_per_second", "rays/s", ""}});
   for (std::size_t s = 0; s < series.size(); ++s) {
-    const auto census = store.census(s);
-    const std::uint64_t rays = census ? census->rays : 0;
+    const std::uint64_t rays = store.ray_count(s);
     const double seconds = store.seconds(s);
     std::vector<report::Value> row;
     for (const census::Label& label : series[s].labels) {
@@ -87,11 +86,18 @@ void run_into(census::RunStore& store, const std::vector<Series>& series,
       }
       using Clock = std::chrono::steady_clock;
       const auto start = Clock::now();
+      const auto seconds = [start] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+      };
       const std::size_t first = block * census::kTasksPerBlock;
-      const census::Census census = census::run_tasks(
-          series[s].plan, first, first + tasks_in(series[s], block), series[s].task);
-      store.add_block(s, block, census,
-                      std::chrono::duration<double>(Clock::now() - start).count());
+      const std::size_t last = first + tasks_in(series[s], block);
+      if (series[s].record) {
+        const std::string record = series[s].record(first, last);
+        store.add_record(s, block, last - first, record, seconds());
+      } else {
+        const census::Census census = run_tasks(series[s].plan, first, last, series[s].task);
+        store.add_block(s, block, census, seconds());
+      }
       done += tasks_in(series[s], block);
       if (!progress(done, total)) {
         return;
@@ -103,6 +109,7 @@ void run_into(census::RunStore& store, const std::vector<Series>& series,
 std::vector<report::Table> tables_of(const Experiment& experiment, const census::RunStore& store) {
   const std::vector<census::SeriesRecord> series = store.series();
   std::vector<report::LabelledCensus> counted;
+  std::vector<LabelledRecords> records;
   std::string options;
   for (const auto& [name, value] : store.settings()) {
     options = name == kOptionsSetting ? value : options;
@@ -110,16 +117,22 @@ std::vector<report::Table> tables_of(const Experiment& experiment, const census:
   std::uint64_t blocks = 0;
   for (std::size_t s = 0; s < series.size(); ++s) {
     blocks += series[s].blocks;
-    if (auto census = store.census(s)) {
+    if (experiment.record_tables != nullptr) {
+      records.push_back({series[s].labels, store.records(s)});
+    } else if (auto census = store.census(s)) {
       counted.push_back({series[s].labels, std::move(*census), options});
     }
   }
-  std::vector<report::Table> tables =
-      experiment.tables != nullptr
-          ? experiment.tables(experiment, counted)
-          : std::vector<report::Table>{artifact_table(experiment, counted)};
-  tables.push_back(
-      report::paired_table(counted, experiment.labels, experiment.name + ": methods in pairs"));
+  std::vector<report::Table> tables;
+  if (experiment.record_tables != nullptr) {
+    tables = experiment.record_tables(experiment, records);
+  } else {
+    tables = experiment.tables != nullptr
+                 ? experiment.tables(experiment, counted)
+                 : std::vector<report::Table>{artifact_table(experiment, counted)};
+    tables.push_back(
+        report::paired_table(counted, experiment.labels, experiment.name + ": methods in pairs"));
+  }
   tables.push_back(clock_table(experiment, store, series));
   tables.push_back(environment_table(experiment, store));
   if (const std::uint64_t done = store.block_count(); done < blocks || blocks == 0) {

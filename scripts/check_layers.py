@@ -22,7 +22,7 @@ LAYERS = [
     "experiments",
     "cli",
 ]
-NUMERIC = re.compile(r"(boost/multiprecision/|CGAL/|mpfr\.h|mpfi(_io)?\.h|gmp(xx)?\.h)")
+NUMERIC = re.compile(r"(boost/multiprecision/|CGAL/|eigen3/|Eigen/|mpfr\.h|mpfi(_io)?\.h|gmp(xx)?\.h)")
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

@@ -6,6 +6,7 @@
 
 #include "census/truth.hpp"
 #include "experiments/benchmarks/allocation_counter.hpp"
+#include "experiments/benchmarks/solver_benchmarks.hpp"
 #include "method/classify.hpp"
 #include "method/tracer.hpp"
 #include "number/all_numbers.hpp"
@@ -124,6 +125,7 @@ int main(int argc, char** argv) {
     LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_REGISTER)
 #undef LAMINA_REGISTER
   }
+  benchmarks::register_solvers();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kFile = "run.sqlite";
 constexpr int kApplication = 0x4C414D49;  // "LAMI"
-constexpr int kSchema = 2;
+constexpr int kSchema = 3;
 
 // Every number of a cell and what it is called: the one list that the schema, writing and
 // reading follow. CellType is Cell or const Cell.
@@ -73,6 +73,8 @@ std::string schema() {
       " number TEXT NOT NULL, first TEXT NOT NULL, second TEXT NOT NULL,"
       " only_first_wrong INTEGER NOT NULL, only_second_wrong INTEGER NOT NULL,"
       " PRIMARY KEY (series, block, position));"
+      "CREATE TABLE record (series INTEGER, block INTEGER, record TEXT NOT NULL,"
+      " PRIMARY KEY (series, block));"
       "CREATE TABLE clock (series INTEGER, block INTEGER, seconds REAL NOT NULL,"
       " PRIMARY KEY (series, block));"
       "PRAGMA application_id = {};"
@@ -266,16 +268,44 @@ bool RunStore::has_block(std::size_t series, std::size_t block) const {
   return select.step();
 }
 
+namespace {
+
+void insert_block(const Database& database, std::size_t series, std::size_t block,
+                  const Census& counts, double seconds) {
+  Statement(database, "INSERT INTO block VALUES (?, ?, ?, ?, ?)")
+      .bind(series)
+      .bind(block)
+      .bind(counts.rays)
+      .bind(counts.in_carrier)
+      .bind(counts.with_coincidence)
+      .run();
+  Statement(database, "INSERT INTO clock VALUES (?, ?, ?)")
+      .bind(series)
+      .bind(block)
+      .bind(seconds)
+      .run();
+}
+
+}  // namespace
+
+void RunStore::add_record(std::size_t series, std::size_t block, std::uint64_t rays,
+                          const std::string& record, double seconds) {
+  Transaction transaction(*database_);
+  Census counts;
+  counts.rays = rays;
+  insert_block(*database_, series, block, counts, seconds);
+  Statement(*database_, "INSERT INTO record VALUES (?, ?, ?)")
+      .bind(series)
+      .bind(block)
+      .bind(record)
+      .run();
+  transaction.commit();
+}
+
 void RunStore::add_block(std::size_t series, std::size_t block, const Census& census,
                          double seconds) {
   Transaction transaction(*database_);
-  Statement(*database_, "INSERT INTO block VALUES (?, ?, ?, ?, ?)")
-      .bind(series)
-      .bind(block)
-      .bind(census.rays)
-      .bind(census.in_carrier)
-      .bind(census.with_coincidence)
-      .run();
+  insert_block(*database_, series, block, census, seconds);
   Statement insert_cell(
       *database_,
       fmt::format("INSERT INTO cell VALUES (?, ?, ?, ?, ?{}, ?, ?, ?, ?)", number_columns(", ?")));
@@ -296,11 +326,6 @@ void RunStore::add_block(std::size_t series, std::size_t block, const Census& ce
     insert_pair.bind(series).bind(block).bind(i).bind(pair.number).bind(pair.first);
     insert_pair.bind(pair.second).bind(pair.only_first_wrong).bind(pair.only_second_wrong).run();
   }
-  Statement(*database_, "INSERT INTO clock VALUES (?, ?, ?)")
-      .bind(series)
-      .bind(block)
-      .bind(seconds)
-      .run();
   transaction.commit();
 }
 
@@ -355,6 +380,22 @@ std::optional<Census> RunStore::census(std::size_t series) const {
     }
   }
   return sum;
+}
+
+std::vector<std::string> RunStore::records(std::size_t series) const {
+  std::vector<std::string> records;
+  Statement select(*database_, "SELECT record FROM record WHERE series = ? ORDER BY block");
+  select.bind(series);
+  while (select.step()) {
+    records.push_back(select.text());
+  }
+  return records;
+}
+
+std::uint64_t RunStore::ray_count(std::size_t series) const {
+  Statement sum(*database_, "SELECT coalesce(sum(rays), 0) FROM block WHERE series = ?");
+  sum.bind(series).step();
+  return sum.integer();
 }
 
 double RunStore::seconds(std::size_t series) const {

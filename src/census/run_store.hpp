@@ -59,11 +59,18 @@ class RunStore {
 
   [[nodiscard]] bool has_block(std::size_t series, std::size_t block) const;
   void add_block(std::size_t series, std::size_t block, const Census& census, double seconds);
+  /// Adds a block that is told in the experiment's own words.
+  void add_record(std::size_t series, std::size_t block, std::uint64_t rays,
+                  const std::string& record, double seconds);
   /// Blocks that the run has.
   [[nodiscard]] std::uint64_t block_count() const;
 
   /// The sum of the series' blocks, in their order; nothing if there is none.
   [[nodiscard]] std::optional<Census> census(std::size_t series) const;
+  /// The records of the series' blocks, in their order.
+  [[nodiscard]] std::vector<std::string> records(std::size_t series) const;
+  /// Rays, or what else the blocks of the series are made of.
+  [[nodiscard]] std::uint64_t ray_count(std::size_t series) const;
   /// Seconds that the series' blocks took, by the clock.
   [[nodiscard]] double seconds(std::size_t series) const;
 

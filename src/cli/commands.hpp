@@ -12,6 +12,7 @@ void add_census(CLI::App& app);
 void add_minimise(CLI::App& app);
 void add_run(CLI::App& app);
 void add_render(CLI::App& app);
+void add_solve(CLI::App& app);
 void add_table(CLI::App& app);
 void add_list(CLI::App& app);
 

@@ -24,6 +24,17 @@ void list_numbers() {
   }
 }
 
+void list_solvers() {
+  for (const poly::SolverInfo& info : poly::all_solvers()) {
+    const std::string degrees =
+        info.least_degree == info.most_degree ? fmt::format("degree {}", info.least_degree)
+        : info.most_degree == poly::kMostDegree
+            ? std::string("any degree")
+            : fmt::format("degrees {} to {}", info.least_degree, info.most_degree);
+    print(std::string(info.name), fmt::format("{}: {}", degrees, info.meaning));
+  }
+}
+
 }  // namespace
 
 void add_list(CLI::App& app) {
@@ -51,11 +62,8 @@ void add_list(CLI::App& app) {
           print(family.name + family.parameters, family.about);
         }
       });
-  command->add_subcommand("solvers", "root finders, for --quadratic and --quartic")->callback([] {
-    for (const SolverName& solver : solver_names()) {
-      print(solver.name, solver.meaning);
-    }
-  });
+  command->add_subcommand("solvers", "root finders, for --solver and `lamina solve`")
+      ->callback(list_solvers);
 }
 
 }  // namespace lamina::cli

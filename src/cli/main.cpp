@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   cli::add_minimise(app);
   cli::add_run(app);
   cli::add_render(app);
+  cli::add_solve(app);
   cli::add_table(app);
   cli::add_list(app);
   try {

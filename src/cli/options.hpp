@@ -34,30 +34,33 @@ struct SceneOptions {
 };
 
 struct SolverOptions {
-  std::string quadratic = "careful";
-  std::string quartic = "monotone";
+  std::string names;
+  bool as_given = false;
 
   void add_to(CLI::App& command) {
-    command.add_option("--quadratic", quadratic, "quadratic solver: plain, careful")
-        ->capture_default_str();
-    command.add_option("--quartic", quartic, "quartic solver: ferrari, monotone")
-        ->capture_default_str();
+    command.add_option("--solver", names,
+                       "root finders of quadrics and tori, separated by commas, in place of the "
+                       "default ones (lamina list solvers)");
+    command.add_flag("--as-given", as_given,
+                     "solve for rays as they are, from afar at a torus, too, where they are else "
+                     "taken from their point nearest to its centre");
   }
-  [[nodiscard]] poly::Solvers solvers() const { return parse_solvers(quadratic, quartic); }
+  /// Those named, in their order; none by default.
+  [[nodiscard]] std::vector<poly::Solver> list() const {
+    return names.empty() ? std::vector<poly::Solver>() : parse_solver_list(names);
+  }
+  [[nodiscard]] poly::Solvers solvers() const {
+    poly::Solvers solvers = names.empty() ? poly::Solvers() : parse_solvers(names);
+    solvers.recentred = !as_given;
+    return solvers;
+  }
 };
 
 /// What `lamina explain` needs besides scene and ray to see what these options made of them:
 /// those that are not the defaults, each behind a blank.
 inline std::string replay_options(const scene::ReadOptions& read, const SolverOptions& solvers) {
-  const SolverOptions defaults;
-  std::string text = read.facets ? " --facets" : "";
-  if (solvers.quadratic != defaults.quadratic) {
-    text += " --quadratic " + solvers.quadratic;
-  }
-  if (solvers.quartic != defaults.quartic) {
-    text += " --quartic " + solvers.quartic;
-  }
-  return text;
+  return std::string(read.facets ? " --facets" : "") + (solvers.as_given ? " --as-given" : "") +
+         (solvers.names.empty() ? std::string() : " --solver " + solvers.names);
 }
 
 }  // namespace lamina::cli

@@ -63,25 +63,35 @@ std::vector<method::Method> parse_methods(const std::string& text) {
   return methods;
 }
 
-std::vector<SolverName> solver_names() {
-  return {{"plain", "quadratic: the textbook's formula"},
-          {"careful", "quadratic: Kahan's discriminant, the stable second root (default)"},
-          {"ferrari", "quartic: closed form by the resolvent cubic"},
-          {"monotone", "quartic: bracketed Newton between critical points (default)"}};
+std::vector<poly::Solver> parse_solver_list(const std::string& text) {
+  std::vector<poly::Solver> solvers;
+  if (text == "all") {
+    for (const poly::SolverInfo& info : poly::all_solvers()) {
+      solvers.push_back(info.solver);
+    }
+    return solvers;
+  }
+  for (const std::string& name : base::split(text, ',')) {
+    solvers.push_back(poly::parse_solver(name));
+  }
+  return solvers;
 }
 
-poly::Solvers parse_solvers(const std::string& quadratic, const std::string& quartic) {
+poly::Solvers parse_solvers(const std::string& text) {
   poly::Solvers solvers;
-  if (quadratic != "plain" && quadratic != "careful") {
-    throw base::InputError(fmt::format("quadratic solver '{}': one of plain, careful", quadratic));
+  for (const poly::Solver solver : parse_solver_list(text)) {
+    if (!poly::fits(solver, 2) && !poly::fits(solver, 4)) {
+      throw base::InputError(fmt::format(
+          "solver '{}' is for cubics, which no surface has: take it with `lamina solve`",
+          poly::solver_info(solver).name));
+    }
+    if (poly::fits(solver, 2)) {
+      solvers.quadratic = solver;
+    }
+    if (poly::fits(solver, 4)) {
+      solvers.quartic = solver;
+    }
   }
-  if (quartic != "ferrari" && quartic != "monotone") {
-    throw base::InputError(fmt::format("quartic solver '{}': one of ferrari, monotone", quartic));
-  }
-  solvers.quadratic =
-      quadratic == "plain" ? poly::QuadraticSolver::Plain : poly::QuadraticSolver::Careful;
-  solvers.quartic =
-      quartic == "ferrari" ? poly::QuarticSolver::Ferrari : poly::QuarticSolver::Monotone;
   return solvers;
 }
 

@@ -6,7 +6,7 @@
 
 #include "method/method.hpp"
 #include "method/tracer.hpp"
-#include "poly/line_roots.hpp"
+#include "poly/solver.hpp"
 #include "trace/number_choice.hpp"
 
 namespace lamina::cli {
@@ -28,13 +28,11 @@ method::Method parse_method(const std::string& text);
 inline constexpr const char* kAllMethods =
     "roth,wyvill-sharp,epsilon:1e-6,regularized,wyvill-trotman";
 
-struct SolverName {
-  std::string name;
-  std::string meaning;
-};
-std::vector<SolverName> solver_names();
+/// Names separated by commas, or `all`.
+std::vector<poly::Solver> parse_solver_list(const std::string& text);
 
-/// `plain` or `careful`, and `ferrari` or `monotone`.
-poly::Solvers parse_solvers(const std::string& quadratic, const std::string& quartic);
+/// Solvers separated by commas, each for the degrees of surfaces that it fits; where several fit
+/// the last one counts, and the default where none does. Throws base::InputError that lists them.
+poly::Solvers parse_solvers(const std::string& text);
 
 }  // namespace lamina::cli

@@ -36,10 +36,13 @@ struct Options {
 experiments::Settings settings_of(const Options& options,
                                   const experiments::Experiment& experiment) {
   experiments::Settings settings;
+  const std::string& methods =
+      options.methods.empty() ? experiment.default_methods : options.methods;
   settings.plan = {
-      parse_methods(options.methods.empty() ? experiment.default_methods : options.methods),
+      experiment.default_methods.empty() ? std::vector<method::Method>() : parse_methods(methods),
       parse_numbers(options.numbers.empty() ? experiment.default_numbers : options.numbers),
-      options.solvers.solvers(), options.threads};
+      experiment.compares_solvers ? poly::Solvers() : options.solvers.solvers(), options.threads};
+  settings.solvers = experiment.compares_solvers ? options.solvers.list() : settings.solvers;
   settings.read = options.read.read;
   settings.rays = options.rays == 0 ? experiment.default_rays : options.rays;
   settings.seed = options.seed;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "poly/line_roots.hpp"
+#include "poly/solver.hpp"
 #include "scene/rounding.hpp"
 #include "surface/carrier.hpp"
 #include "surface/rounded_surface.hpp"

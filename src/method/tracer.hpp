@@ -10,7 +10,7 @@
 #include "method/report.hpp"
 #include "number/algebraic.hpp"
 #include "number/concepts.hpp"
-#include "poly/line_roots.hpp"
+#include "poly/solver.hpp"
 #include "scene/scene.hpp"
 
 namespace lamina::method {

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "poly/sign_changes.hpp"
+
 namespace lamina::poly {
 namespace {
 
@@ -23,29 +25,13 @@ bool is_certain(const Interval& end) {
   return sign && *sign != 0;
 }
 
-// The most sign changes that coefficients in these intervals can have.
 int most_sign_changes(const Coefficients& b) {
-  constexpr int kNever = -1;
-  std::array<int, 2> most{kNever, kNever};  // by the last sign: minus, plus
+  std::vector<std::optional<int>> signs;
+  signs.reserve(b.size());
   for (const Interval& coefficient : b) {
-    const auto sign = coefficient.sign();
-    if (sign && *sign == 0) {
-      continue;
-    }
-    const std::array<int, 2> before = most;
-    for (const int s : {0, 1}) {
-      if (sign && (*sign > 0) != (s == 1)) {
-        most[s] = kNever;
-        continue;
-      }
-      const int changed = before[1 - s] == kNever ? kNever : before[1 - s] + 1;
-      most[s] = std::max({before[s], changed, 0});
-    }
-    if (!sign) {  // it may be zero, too
-      most = {std::max(most[0], before[0]), std::max(most[1], before[1])};
-    }
+    signs.push_back(coefficient.sign());
   }
-  return std::max({most[0], most[1], 0});
+  return poly::most_sign_changes(signs);
 }
 
 struct Halves {

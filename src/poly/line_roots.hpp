@@ -1,10 +1,9 @@
-// What every root finder returns: the sign changes of a polynomial along a line.
+// The sign changes of a polynomial along a whole line: what a ray needs of a surface.
 #pragma once
 
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <utility>
 
 #include "base/seeded_stream.hpp"
 #include "number/traits.hpp"
@@ -45,9 +44,6 @@ struct LineRoots {
   }
 };
 
-enum class QuadraticSolver : std::uint8_t { Plain, Careful };
-enum class QuarticSolver : std::uint8_t { Ferrari, Monotone };
-
 /// A solver's mistake made on purpose, to see what becomes of it.
 struct RootFault {
   enum class Kind : std::uint8_t {
@@ -84,12 +80,5 @@ void spoil(LineRoots<Number>& roots, const RootFault& fault, std::uint64_t place
     ++roots.count;
   }
 }
-
-/// Which solver finds the roots of which degree.
-struct Solvers {
-  QuadraticSolver quadratic = QuadraticSolver::Careful;
-  QuarticSolver quartic = QuarticSolver::Monotone;
-  RootFault fault{};
-};
 
 }  // namespace lamina::poly

@@ -7,7 +7,7 @@
 #include "geometry/vector.hpp"
 #include "method/method.hpp"
 #include "method/tracer.hpp"
-#include "poly/line_roots.hpp"
+#include "poly/solver.hpp"
 #include "scene/scene.hpp"
 #include "trace/number_choice.hpp"
 

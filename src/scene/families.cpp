@@ -43,7 +43,8 @@ const std::vector<Family>& families() {
       {"plates", ":N", "N plates of different glasses, one on the other", plates},
       {"onion", ":N", "N balls of different glasses around one centre", onion},
       {"unclosed", ":cylinder|cone|slab", "solids of half-spaces that are not closed", unclosed},
-      {"round", ":ball|ring", "a unit sphere, or a torus of radii 1 and 1/4", round_solid},
+      {"round", ":ball|ring|cut-ring",
+       "a unit sphere, a torus of radii 1 and 1/4, or half of it and a ball less it", round_solid},
   };
   return all;
 }

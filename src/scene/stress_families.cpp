@@ -287,9 +287,16 @@ FamilyMember unclosed(const Parameters& parameters, std::uint64_t seed, std::uin
 }
 
 FamilyMember round_solid(const Parameters& parameters, std::uint64_t seed, std::uint64_t case_id) {
-  const std::string& solid = word(parameters[0], {"ball", "ring"});
+  const std::string& solid = word(parameters[0], {"ball", "ring", "cut-ring"});
   SeededStream stream("scene/round", seed, case_id);
-  return placed_member(Placement(stream), solid == "ball" ? "sphere(1);" : "torus(1, 1/4);");
+  const std::string ring = "torus(1, 1/4);";
+  return placed_member(Placement(stream),
+                       solid == "ball"   ? "sphere(1);"
+                       : solid == "ring" ? ring
+                                         : "add() {\n  material(\"steel\") difference() { " + ring +
+                                               " halfspace([1, 2, 3], 1/7); }\n"
+                                               "  material(\"glass\") difference() { sphere(1); " +
+                                               ring + " }\n}");
 }
 
 }  // namespace lamina::scene

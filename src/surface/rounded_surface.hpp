@@ -5,7 +5,7 @@
 
 #include "geometry/affine.hpp"
 #include "geometry/vector.hpp"
-#include "poly/line_roots.hpp"
+#include "poly/solver.hpp"
 #include "surface/half_space.hpp"
 
 namespace lamina::surface {
@@ -31,6 +31,14 @@ class RoundedMap {
   std::array<std::array<Number, 4>, 3> rows_;
 };
 
+/// f of a half-space along a ray: the sum of c[i] (t - shift)^i.
+template <RoundedNumber Number>
+struct RayPolynomial {
+  std::array<Number, 5> c{};
+  int degree = 0;   ///< 1, 2 or 4 by the kind of surface, whatever c[degree] is
+  Number shift{0};  ///< other than zero where the ray was recentred
+};
+
 /// The crossings of one ray with one surface.
 template <RoundedNumber Number>
 struct SurfaceCrossings {
@@ -45,6 +53,11 @@ class RoundedSurface {
  public:
   explicit RoundedSurface(const LocalSurface& exact);
 
+  /// The polynomial of a ray in local coordinates, as the number type computes it; `recentred` at
+  /// the ray's point that is nearest to the local origin, so that no power of its distance from
+  /// there cancels in the coefficients.
+  [[nodiscard]] RayPolynomial<Number> polynomial(const geometry::Ray<Number>& local,
+                                                 bool recentred) const;
   /// Crossings with a ray in local coordinates; t is the same as in the world. Of a ray that
   /// `starts_on` the surface the root t = 0 is divided out, and given as exactly 0.
   [[nodiscard]] SurfaceCrossings<Number> crossings(const geometry::Ray<Number>& local,
@@ -65,6 +78,10 @@ class RoundedSurface {
   [[nodiscard]] geometry::Vector3<Number> gradient(const geometry::Vector3<Number>& local) const;
 
  private:
+  /// From a torus: farther than its diameter from its centre, where distances cancel in the
+  /// coefficients of a ray's polynomial; nearer, no term is more than a few times the torus' own.
+  [[nodiscard]] bool is_far(const geometry::Vector3<Number>& local) const;
+
   Kind kind_;
   std::array<Number, 10> c_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "number/fused.hpp"
 #include "poly/quadratic.hpp"
-#include "poly/quartic.hpp"
 #include "surface/rounded_surface.hpp"
 
 namespace lamina::surface {
@@ -55,19 +55,27 @@ RoundedSurface<Number>::RoundedSurface(const LocalSurface& exact) : kind_(exact.
 }
 
 template <RoundedNumber Number>
-SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<Number>& local,
-                                                           const poly::Solvers& solvers,
-                                                           bool starts_on) const {
-  const auto& o = local.origin;
+RayPolynomial<Number> RoundedSurface<Number>::polynomial(const geometry::Ray<Number>& local,
+                                                         bool recentred) const {
+  RayPolynomial<Number> p;
+  geometry::Vector3<Number> o = local.origin;
   const auto& d = local.direction;
-  std::array<Number, 5> f{};  // f along the ray, ascending powers of t; f[1] is halved for quadrics
-  SurfaceCrossings<Number> result;
+  if (recentred) {
+    // Any shift will do, so that its own rounding does no harm; the point is rounded once.
+    p.shift = -dot(o, d) / dot(d, d);
+    o = {number::fused_multiply_add(p.shift, d.x, o.x),
+         number::fused_multiply_add(p.shift, d.y, o.y),
+         number::fused_multiply_add(p.shift, d.z, o.z)};
+  }
+  std::array<Number, 5>& f = p.c;
   switch (kind_) {
     case Kind::Plane:
+      p.degree = 1;
       f[0] = c_[0] * o.x + c_[1] * o.y + c_[2] * o.z + c_[3];
-      f[1] = (c_[0] * d.x + c_[1] * d.y + c_[2] * d.z) / 2;
+      f[1] = c_[0] * d.x + c_[1] * d.y + c_[2] * d.z;
       break;
     case Kind::Quadric: {
+      p.degree = 2;
       // With g the gradient of the quadratic part: g(v).w is twice the bilinear form.
       const auto half_gradient = [this](const geometry::Vector3<Number>& v) {
         return geometry::Vector3<Number>{c_[0] * v.x + (c_[3] * v.y + c_[4] * v.z) / 2,
@@ -78,11 +86,12 @@ SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<N
       const Number linear_d = c_[6] * d.x + c_[7] * d.y + c_[8] * d.z;
       const geometry::Vector3<Number> along = half_gradient(d);
       f[2] = dot(along, d);
-      f[1] = dot(along, o) + linear_d / 2;
+      f[1] = 2 * (dot(along, o) + linear_d / 2);
       f[0] = dot(half_gradient(o), o) + linear_o + c_[9];
       break;
     }
     case Kind::Torus: {
+      p.degree = 4;
       const Number four_major_squared = 4 * c_[0] * c_[0];
       const Number dd = dot(d, d);
       const Number od = dot(o, d);
@@ -95,21 +104,36 @@ SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<N
       break;
     }
   }
-  if (starts_on && kind_ == Kind::Torus) {
-    result.roots =
-        poly::quartic_crossings<Number>({f[1], f[2], f[3], f[4], Number(0)}, solvers.quartic);
-    result.roots.cross(Number(0));
-  } else if (starts_on) {
-    result.roots =
-        poly::quadratic_crossings(Number(0), Number(f[2] / 2), Number(2 * f[1]), solvers.quadratic);
-    result.roots.cross(Number(0));
-  } else if (kind_ == Kind::Torus) {
-    result.roots = poly::quartic_crossings(f, solvers.quartic);
-  } else {
-    result.roots = poly::quadratic_crossings(f[2], f[1], f[0], solvers.quadratic);
-  }
+  return p;
+}
+
+template <RoundedNumber Number>
+bool RoundedSurface<Number>::is_far(const geometry::Vector3<Number>& p) const {
+  const Number outer_diameter = 2 * (c_[0] + c_[1]);
+  return dot(p, p) > outer_diameter * outer_diameter;
+}
+
+template <RoundedNumber Number>
+SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<Number>& local,
+                                                           const poly::Solvers& solvers,
+                                                           bool starts_on) const {
+  const bool is_torus = kind_ == Kind::Torus;
+  RayPolynomial<Number> p =
+      polynomial(local, solvers.recentred && is_torus && !starts_on && is_far(local.origin));
+  std::array<Number, 5>& f = p.c;
+  const poly::Solver solver = is_torus ? solvers.quartic : solvers.quadratic;
+  SurfaceCrossings<Number> result;
   if (starts_on) {
     f[0] = 0;
+    result.roots = poly::crossings(std::span<const Number>(f).subspan(1, p.degree), solver);
+    result.roots.cross(Number(0));
+  } else if (!is_torus && poly::is_quadratic_formula(solver)) {
+    result.roots = poly::quadratic_crossings(f[2], Number(f[1] / 2), f[0], solver);
+  } else {
+    result.roots = poly::crossings(std::span<const Number>(f).first(p.degree + 1), solver);
+  }
+  for (int i = 0; p.shift != 0 && i < result.roots.count; ++i) {
+    result.roots.t[i] = result.roots.t[i] + p.shift;
   }
   std::size_t degree = 4;
   while (degree > 0 && f[degree] == 0) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "method/tracer.hpp"
+#include "poly/solution.hpp"
 #include "scene/rounding.hpp"
 #include "trace/ray_path.hpp"
 
@@ -19,6 +20,13 @@ struct NumberChoice {
   scene::Rounding round;
   /// None for exact types: the point that a ray is spawned at is no rational one.
   std::function<std::unique_ptr<RayPath>(const scene::Scene&, const poly::Solvers&)> make_path{};
+  /// None for exact types, which have one way to solve alone: poly::solve and seconds_to_solve.
+  std::function<poly::Solution(const std::vector<number::Rational>&, const poly::ExactRange&,
+                               poly::Solver)>
+      solve{};
+  std::function<double(const std::vector<std::vector<number::Rational>>&,
+                       const std::vector<poly::ExactRange>&, poly::Solver)>
+      seconds_to_solve{};
 };
 
 template <number::RealNumber Number>
@@ -28,6 +36,8 @@ NumberChoice number_choice() {
                       scene::rounding<Number>};
   if constexpr (number::RoundedNumber<Number>) {
     choice.make_path = make_ray_path<Number>;
+    choice.solve = poly::solve<Number>;
+    choice.seconds_to_solve = poly::seconds_to_solve<Number>;
   }
   return choice;
 }

@@ -8,7 +8,7 @@
 #include "method/method.hpp"
 #include "method/report.hpp"
 #include "number/concepts.hpp"
-#include "poly/line_roots.hpp"
+#include "poly/solver.hpp"
 #include "scene/scene.hpp"
 #include "trace/spawn.hpp"
 

@@ -122,13 +122,13 @@ TEST(MinimiseCommandTest, PrintsASceneFileThatSaysWhatItShows) {
   const std::string scene = scratch.write("scene.csg", kGhostSurface);
   const Outcome outcome = lamina("minimise " + scene +
                                  " --ray \"3.25 0 9 0 0.0078125 -1\" --method roth --number double"
-                                 " --quadratic plain");
+                                 " --solver textbook");
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_TRUE(outcome.out.starts_with(
       "// roth in double: first wrong, ghost surface; in exact numbers too\n// leaves: "))
       << outcome.out;
   EXPECT_NE(outcome.out.find(" of the 6 of " + scene + "\n"), std::string::npos);
-  EXPECT_NE(outcome.out.find("--methods roth --numbers double --quadratic plain\n"),
+  EXPECT_NE(outcome.out.find("--methods roth --numbers double --solver textbook\n"),
             std::string::npos);
   EXPECT_NE(outcome.out.find("// => "), std::string::npos);
   const std::string ray = after(outcome.out, "--ray \"", '"');

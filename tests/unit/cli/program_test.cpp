@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
+#include "number/rational.hpp"
+
 namespace lamina::test {
 namespace {
 
@@ -162,12 +167,65 @@ TEST(ProgramTest, BadInputIsExitStatusTwoAndSaysWhere) {
   expect("run nothing", "coincident-faces");
   expect("table " + scratch.path("empty"), "lamina run");
   expect("census " + scene + " --format odd", "latex");
+  expect("solve --coefficients 1,x,2", "number 2");
+  expect("solve --coefficients 1,2,1 --interval 1,0", "a <= b");
+  expect("solve --coefficients 1,2,1 --solvers odd", "bernstein");
+  expect("solve --coefficients 1,2,1 --solvers ferrari", "degree 2");
+  expect("solve --coefficients 1,2,1 --format odd", "json");
   expect("odd", "");
   expect("trace", "");
 }
 
+TEST(ProgramTest, SolvePutsAPolynomialThroughEverything) {
+  const Outcome outcome = lamina("solve --coefficients=1/4,-1,1 --interval 0,1 --format json");
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const Json all = Json::parse(outcome.out);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const Json& result : all.at("results")) {
+    const auto solver = result.at("solver").get<std::string>();
+    const auto number = result.at("number").get<std::string>();
+    seen.emplace(solver, number);
+    for (const Json& root : result.at("roots")) {
+      EXPECT_NEAR(root.at("value").get<double>(), 0.5, 0.1) << solver << " " << number;
+      EXPECT_TRUE(root.at("multiplicity").is_null() || root.at("multiplicity").is_number());
+    }
+    if (solver == "exact" || solver == "kahan") {
+      ASSERT_EQ(result.at("roots").size(), 1U) << solver << " " << number;
+      EXPECT_EQ(result.at("roots")[0].at("value"), 0.5);
+      EXPECT_EQ(result.at("roots")[0].at("multiplicity"), 2);
+    }
+    if (solver == "certified") {
+      EXPECT_EQ(result.at("outcome"), "undecided");
+    }
+  }
+  EXPECT_TRUE(seen.contains({"exact", "exact"}));
+  EXPECT_TRUE(seen.contains({"sturm", "bin237"}));
+  EXPECT_FALSE(seen.contains({"ferrari", "double"}));
+
+  // The square root of two is alone in the bounds that are given for it.
+  const Json surd = Json::parse(
+      lamina("solve --coefficients=-2,0,1 --solvers exact --numbers exact --format json").out);
+  const Json& roots = surd.at("results").at(0).at("roots");
+  ASSERT_EQ(roots.size(), 2U);
+  EXPECT_EQ(roots[1].at("value"), std::sqrt(2.0));
+  const auto end = [&roots](std::size_t i) {
+    return number::parse_rational(roots[1].at("isolating")[i].get<std::string>());
+  };
+  EXPECT_LT(end(0) * end(0), 2);
+  EXPECT_GT(end(1) * end(1), 2);
+  EXPECT_GT(end(0), 0);
+
+  const Outcome everywhere = lamina("solve --coefficients 0,0,0 --format json");
+  for (const Json& result : Json::parse(everywhere.out).at("results")) {
+    EXPECT_EQ(result.at("outcome"), "everywhere");
+  }
+  EXPECT_NE(lamina("solve --coefficients=-6,11,-6,1 --numbers double").out.find("kahan-cubic"),
+            std::string::npos);
+}
+
 TEST(ProgramTest, HelpTeachesAndListsAreComplete) {
-  for (const char* command : {"trace", "locate", "explain", "census", "run", "table", "list"}) {
+  for (const char* command :
+       {"trace", "locate", "explain", "census", "run", "solve", "table", "list"}) {
     const Outcome help = lamina(std::string(command) + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_GT(help.out.size(), 100U) << command;

@@ -93,13 +93,13 @@ TYPED_TEST(QuadraticTest, CarefulRootsKeepTheirBoundNearCancellation) {
       reached.add(in.kind);
     }
     const auto truth = this->exact_roots(in);
-    const auto roots = quadratic_crossings(in.a, in.b, in.c, QuadraticSolver::Careful);
+    const auto roots = quadratic_crossings(in.a, in.b, in.c, Solver::Kahan);
     ASSERT_EQ(roots.count, truth.size()) << in.kind << ", case " << case_id;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       EXPECT_TRUE(this->within(roots.t[i], truth[i], kCarefulBound))
           << in.kind << ", case " << case_id << ", root " << i << ": " << roots.t[i];
     }
-    const auto plain = quadratic_crossings(in.a, in.b, in.c, QuadraticSolver::Plain);
+    const auto plain = quadratic_crossings(in.a, in.b, in.c, Solver::Textbook);
     bool wrong = plain.count != static_cast<int>(truth.size());
     for (std::size_t i = 0; !wrong && i < truth.size(); ++i) {
       wrong = !this->within(plain.t[i], truth[i], 2 * kCarefulBound);
@@ -118,11 +118,11 @@ TYPED_TEST(QuadraticTest, PlainLosesTheSmallerRoot) {
   typename TestFixture::Case in{TypeParam(1), TypeParam(0), TypeParam(1), ""};
   in.b = -ldexp(TypeParam(3), this->kBits / 3);
   const auto truth = this->exact_roots(in);
-  const auto careful = quadratic_crossings(in.a, in.b, in.c, QuadraticSolver::Careful);
+  const auto careful = quadratic_crossings(in.a, in.b, in.c, Solver::Kahan);
   ASSERT_EQ(careful.count, 2);
   EXPECT_TRUE(this->within(careful.t[0], truth[0], kCarefulBound));
   EXPECT_TRUE(this->within(careful.t[1], truth[1], kCarefulBound));
-  const auto plain = quadratic_crossings(in.a, in.b, in.c, QuadraticSolver::Plain);
+  const auto plain = quadratic_crossings(in.a, in.b, in.c, Solver::Textbook);
   // At least a quarter of the bits are gone.
   const Rational quarter(number::Integer(1) << static_cast<unsigned>(this->kBits / 4));
   EXPECT_TRUE(plain.count != 2 || !this->within(plain.t[0], truth[0], quarter));
@@ -131,7 +131,7 @@ TYPED_TEST(QuadraticTest, PlainLosesTheSmallerRoot) {
 // (t + 1/2)(t - 3), and the same with the opposite sign: roots ascend all the same.
 TYPED_TEST(QuadraticTest, RootsAscendWhateverTheSigns) {
   using Number = TypeParam;
-  for (const auto solver : {QuadraticSolver::Plain, QuadraticSolver::Careful}) {
+  for (const auto solver : {Solver::Textbook, Solver::Kahan}) {
     for (const int sign : {1, -1}) {
       const auto roots =
           quadratic_crossings(Number(4 * sign), Number(-5 * sign), Number(-6 * sign), solver);
@@ -144,7 +144,7 @@ TYPED_TEST(QuadraticTest, RootsAscendWhateverTheSigns) {
 
 TYPED_TEST(QuadraticTest, TouchesAndMissesAreNoCrossings) {
   using Number = TypeParam;
-  for (const auto solver : {QuadraticSolver::Plain, QuadraticSolver::Careful}) {
+  for (const auto solver : {Solver::Textbook, Solver::Kahan}) {
     EXPECT_EQ(quadratic_crossings(Number(4), Number(-6), Number(9), solver).count, 0);
     EXPECT_EQ(quadratic_crossings(Number(1), Number(0), Number(0), solver).count, 0);
     EXPECT_EQ(quadratic_crossings(Number(1), Number(0), Number(1), solver).count, 0);
@@ -153,7 +153,7 @@ TYPED_TEST(QuadraticTest, TouchesAndMissesAreNoCrossings) {
 
 TYPED_TEST(QuadraticTest, ARootAtZeroIsExact) {
   using Number = TypeParam;
-  for (const auto solver : {QuadraticSolver::Plain, QuadraticSolver::Careful}) {
+  for (const auto solver : {Solver::Textbook, Solver::Kahan}) {
     for (const int b : {3, -3}) {
       const auto roots = quadratic_crossings(Number(2), Number(b), Number(0), solver);
       ASSERT_EQ(roots.count, 2);
@@ -165,7 +165,7 @@ TYPED_TEST(QuadraticTest, ARootAtZeroIsExact) {
 
 TYPED_TEST(QuadraticTest, WithoutASquareItIsALineAndWithoutThatNothing) {
   using Number = TypeParam;
-  for (const auto solver : {QuadraticSolver::Plain, QuadraticSolver::Careful}) {
+  for (const auto solver : {Solver::Textbook, Solver::Kahan}) {
     const auto line = quadratic_crossings(Number(0), Number(2), Number(-12), solver);
     ASSERT_EQ(line.count, 1);
     EXPECT_EQ(line.t[0], Number(3));

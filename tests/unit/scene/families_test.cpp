@@ -72,7 +72,8 @@ const std::vector<std::string> kFamilies{"coincident-faces",
                                          "plates:3",
                                          "onion:3",
                                          "round:ball",
-                                         "round:ring"};
+                                         "round:ring",
+                                         "round:cut-ring"};
 
 // The material at a point, "" for none, `boundary` on the boundary.
 std::string material_at(const Scene& scene, const Point& p) {
@@ -251,6 +252,16 @@ std::vector<Known> known_families() {
          const double off = std::hypot(p.x, p.y) - 1;
          return off * off + p.z * p.z < 0.0625;
        })},
+      {"round:cut-ring",
+       {-1.4, -1.4, -1.2},
+       {1.4, 1.4, 1.2},
+       [](const Point& p) -> std::string {
+         const double off = std::hypot(p.x, p.y) - 1;
+         if (off * off + p.z * p.z < 0.0625) {
+           return p.x + 2 * p.y + 3 * p.z < 1.0 / 7 ? "" : "steel";
+         }
+         return squared(p) < 1 ? "glass" : "";
+       }},
       {"round:ball", {-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}, plain([](const Point& p) {
          return squared(p) < 1;
        })},

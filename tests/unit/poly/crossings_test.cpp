@@ -1,4 +1,4 @@
-#include "poly/quartic.hpp"
+#include "poly/solver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ TYPED_TEST_SUITE(QuarticTest, support::RoundedNumberTypes, support::NumberNames)
 // (t-1)(t-2)(t-3)(t-4) and the like: every type holds the coefficients.
 TYPED_TEST(QuarticTest, FindsSeparatedRoots) {
   const std::array<TypeParam, 5> c{24, -50, 35, -10, 1};
-  for (const auto solver : {QuarticSolver::Ferrari, QuarticSolver::Monotone}) {
-    const auto roots = quartic_crossings(c, solver);
+  for (const auto solver : {Solver::Ferrari, Solver::Monotone}) {
+    const auto roots = crossings<TypeParam>(c, solver);
     ASSERT_EQ(roots.count, 4);
     // The roots' condition number is below 2^10 (at t = 3: sum |c_i t^i| / |p'(3) 3| = 840/6).
     const TypeParam bound = number::unit_roundoff<TypeParam>() * 1024;
@@ -56,8 +56,8 @@ TYPED_TEST(QuarticTest, FindsSeparatedRoots) {
 
 TYPED_TEST(QuarticTest, FindsNothingWhereThereIsNothing) {
   const std::array<TypeParam, 5> c{5, 0, 2, 0, 1};
-  for (const auto solver : {QuarticSolver::Ferrari, QuarticSolver::Monotone}) {
-    EXPECT_EQ(quartic_crossings(c, solver).count, 0);
+  for (const auto solver : {Solver::Ferrari, Solver::Monotone}) {
+    EXPECT_EQ(crossings<TypeParam>(c, solver).count, 0);
   }
 }
 
@@ -66,13 +66,13 @@ TYPED_TEST(QuarticTest, LowersTheDegreeOfLeadingZeros) {
   const std::array<TypeParam, 5> line{-6, 2, 0, 0, 0};
   const std::array<TypeParam, 5> constant{3, 0, 0, 0, 0};
   const std::array<TypeParam, 5> zero{};
-  for (const auto solver : {QuarticSolver::Ferrari, QuarticSolver::Monotone}) {
-    EXPECT_EQ(quartic_crossings(cubic, solver).count, 3);
-    const auto root = quartic_crossings(line, solver);
+  for (const auto solver : {Solver::Ferrari, Solver::Monotone}) {
+    EXPECT_EQ(crossings<TypeParam>(cubic, solver).count, 3);
+    const auto root = crossings<TypeParam>(line, solver);
     ASSERT_EQ(root.count, 1);
     EXPECT_EQ(root.t[0], 3);
-    EXPECT_EQ(quartic_crossings(constant, solver).count, 0);
-    EXPECT_EQ(quartic_crossings(zero, solver).count, 0);
+    EXPECT_EQ(crossings<TypeParam>(constant, solver).count, 0);
+    EXPECT_EQ(crossings<TypeParam>(zero, solver).count, 0);
   }
 }
 
@@ -82,8 +82,8 @@ TYPED_TEST(QuarticTest, RootlessTrapHasNoRoot) {
                                 parse_rational("0.00329589844"), 0, 1});
   // Its minimum is some thousands of units of 1, so that rounding the coefficients keeps it.
   ASSERT_TRUE(this->exact_crossings(c).empty());
-  EXPECT_EQ(quartic_crossings(c, QuarticSolver::Monotone).count, 0);
-  EXPECT_EQ(quartic_crossings(c, QuarticSolver::Ferrari).count, 0);
+  EXPECT_EQ(crossings<TypeParam>(c, Solver::Monotone).count, 0);
+  EXPECT_EQ(crossings<TypeParam>(c, Solver::Ferrari).count, 0);
 }
 
 // Another: solvers in the field return none, and there are two, at 60 -+ 9.35. There the terms
@@ -93,18 +93,18 @@ TYPED_TEST(QuarticTest, TwoRootTrapHasTwoRoots) {
   const auto c = this->rounded({parse_rational("26471900.25"), -1325880, 25449, -240, 1});
   const auto truth = this->exact_crossings(c);
   if (number::number_traits<TypeParam>::kSignificandBits < 24) {
-    for (const auto solver : {QuarticSolver::Monotone, QuarticSolver::Ferrari}) {
-      EXPECT_EQ(quartic_crossings(c, solver).count % 2, 0);  // pairs may be lost, parity not
+    for (const auto solver : {Solver::Monotone, Solver::Ferrari}) {
+      EXPECT_EQ(crossings<TypeParam>(c, solver).count % 2, 0);  // pairs may be lost, parity not
     }
     return;
   }
   ASSERT_EQ(truth.size(), 2U);
   const double bound = std::ldexp(2e4, -number::number_traits<TypeParam>::kSignificandBits);
-  for (const auto solver : {QuarticSolver::Monotone, QuarticSolver::Ferrari}) {
-    const auto roots = quartic_crossings(c, solver);
+  for (const auto solver : {Solver::Monotone, Solver::Ferrari}) {
+    const auto roots = crossings<TypeParam>(c, solver);
     ASSERT_EQ(roots.count, truth.size());
     // The closed form has no bound; the other one keeps the derived one.
-    const double allowed = solver == QuarticSolver::Monotone ? bound : 100 * bound;
+    const double allowed = solver == Solver::Monotone ? bound : 100 * bound;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const Rational t = number::number_traits<TypeParam>::to_exact(roots.t[i]);
       const auto exact = enclosure(truth[i], 300);

@@ -1,0 +1,137 @@
+// Root finders in double: time a polynomial, and backward error. Figures in README.md.
+#include "experiments/benchmarks/solver_benchmarks.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/seeded_stream.hpp"
+#include "experiments/benchmarks/allocation_counter.hpp"
+#include "poly/solution.hpp"
+
+namespace lamina {
+namespace {
+
+using number::Rational;
+
+constexpr std::size_t kPolynomials = 1000;
+constexpr poly::Range<double> kUnit{0, 1};
+
+// One root in each of n equal parts of [0, 1], not near the part's ends: the family `separated` of
+// solver-accuracy.
+std::vector<double> separated(int n, base::SeededStream& stream) {
+  std::vector<Rational> exact{1};
+  for (int i = 0; i < n; ++i) {
+    const Rational root((i + stream.uniform(0.2, 0.8)) / n);
+    exact.insert(exact.begin(), Rational(0));
+    for (std::size_t k = 0; k + 1 < exact.size(); ++k) {
+      exact[k] -= root * exact[k + 1];
+    }
+  }
+  std::vector<double> c;
+  for (const Rational& x : exact) {
+    c.push_back(number::nearest_double(x));
+  }
+  return c;
+}
+
+// A product of quadratics without roots: the family `no root`.
+std::vector<double> rootless(int n, base::SeededStream& stream) {
+  std::vector<double> c{1};
+  for (int i = 0; i < n; i += 2) {
+    const double middle = stream.unit();
+    const double height = stream.uniform(0.1, 1);
+    std::vector<double> product(c.size() + 2);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      product[k] += c[k] * (middle * middle + height * height);
+      product[k + 1] -= 2 * c[k] * middle;
+      product[k + 2] += c[k];
+    }
+    c = product;
+  }
+  return c;
+}
+
+using Draw = std::vector<double> (*)(int, base::SeededStream&);
+
+std::vector<std::vector<double>> polynomials(Draw draw, int n) {
+  std::vector<std::vector<double>> all;
+  for (std::size_t i = 0; i < kPolynomials; ++i) {
+    base::SeededStream stream("benchmark/polynomials", 1, i);
+    all.push_back(draw(n, stream));
+  }
+  return all;
+}
+
+// |p(t)| / (u sum |c_i t^i|), exact.
+double backward_error(const std::vector<double>& c, double t) {
+  Rational value = 0;
+  Rational terms = 0;
+  Rational power = 1;
+  for (const double x : c) {
+    value += Rational(x) * power;
+    terms += abs(Rational(x) * power);
+    power *= Rational(t);
+  }
+  return std::ldexp(number::nearest_double(abs(value) / terms), 53);
+}
+
+void solve(benchmark::State& state, poly::Solver solver, Draw draw, int n) {
+  const auto all = polynomials(draw, n);
+  const auto one = [&](std::size_t i) {
+    return poly::real_roots(std::span<const double>(all[i % kPolynomials]), kUnit, solver);
+  };
+  std::size_t i = 0;
+  std::uint64_t allocated = 0;
+  for (auto _ : state) {
+    const std::uint64_t before = benchmarks::allocations();
+    benchmark::DoNotOptimize(one(i++).count);
+    allocated += benchmarks::allocations() - before;
+  }
+  int wrong = 0;
+  double backward = 0;
+  for (std::size_t k = 0; k < kPolynomials; ++k) {
+    const auto roots = one(k);
+    wrong += roots.count == (draw == separated ? n : 0) ? 0 : 1;
+    for (int r = 0; r < roots.count; ++r) {
+      backward = std::max(backward, backward_error(all[k], roots.t[r]));
+    }
+  }
+  state.counters["allocations"] = static_cast<double>(allocated);
+  state.counters["wrong_counts"] = wrong;
+  state.counters["backward_u"] = backward;
+}
+
+}  // namespace
+
+namespace benchmarks {
+
+void register_solvers() {
+  for (const int n : {2, 3, 4, 6, 10}) {
+    for (const poly::SolverInfo& info : poly::all_solvers()) {
+      if (!poly::fits(info.solver, n)) {
+        continue;
+      }
+      const std::string name =
+          "solve/separated/" + std::to_string(n) + "/" + std::string(info.name);
+      benchmark::RegisterBenchmark(name.c_str(),
+                                   [solver = info.solver, n](benchmark::State& state) {
+                                     solve(state, solver, separated, n);
+                                   });
+    }
+  }
+  for (const poly::SolverInfo& info : poly::all_solvers()) {
+    if (poly::fits(info.solver, 6)) {
+      const std::string name = "solve/no_root/6/" + std::string(info.name);
+      benchmark::RegisterBenchmark(name.c_str(), [solver = info.solver](benchmark::State& state) {
+        solve(state, solver, rootless, 6);
+      });
+    }
+  }
+}
+
+}  // namespace benchmarks
+}  // namespace lamina

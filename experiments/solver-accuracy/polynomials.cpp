@@ -1,0 +1,257 @@
+#include "experiments/solver-accuracy/polynomials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "experiments/near-tangent/grazing.hpp"
+#include "number/all_numbers.hpp"
+#include "scene/families.hpp"
+#include "scene/rays.hpp"
+#include "surface/carrier.hpp"
+#include "surface/rounded_surface.hpp"
+
+namespace lamina::experiments {
+namespace {
+
+using base::SeededStream;
+using number::Integer;
+using number::Rational;
+
+using Coefficients = std::vector<Rational>;
+
+template <number::RoundedNumber Number>
+std::optional<HeldPolynomial> rounded(const Coefficients& ideal) {
+  using Traits = number::number_traits<Number>;
+  HeldPolynomial held;
+  for (const Rational& c : ideal) {
+    const Number x = Traits::from_exact(c);
+    if (!(x - x == 0)) {
+      return std::nullopt;
+    }
+    held.ascending.push_back(Traits::to_exact(x));
+  }
+  return held;
+}
+
+template <number::RoundedNumber Number>
+std::optional<HeldPolynomial> along_ray(const surface::LocalSurface& surface,
+                                        const geometry::ExactRay& ray, bool recentred) {
+  using Traits = number::number_traits<Number>;
+  const auto point = [](const geometry::ExactPoint& p) {
+    return geometry::Vector3<Number>{Traits::from_exact(p.x), Traits::from_exact(p.y),
+                                     Traits::from_exact(p.z)};
+  };
+  const surface::RayPolynomial<Number> p = surface::RoundedSurface<Number>(surface).polynomial(
+      {point(ray.origin), point(ray.direction)}, recentred);
+  HeldPolynomial held;
+  for (int i = 0; i <= p.degree; ++i) {
+    if (!(p.c[i] - p.c[i] == 0)) {
+      return std::nullopt;
+    }
+    held.ascending.push_back(Traits::to_exact(p.c[i]));
+  }
+  held.shift = Traits::to_exact(p.shift);
+  return held;
+}
+
+// What each number type makes of polynomials that are given, and of rays.
+struct Holder {
+  std::optional<HeldPolynomial> (*rounded)(const Coefficients&);
+  std::optional<HeldPolynomial> (*along_ray)(const surface::LocalSurface&,
+                                             const geometry::ExactRay&, bool);
+};
+
+const Holder& holder(const std::string& number) {
+#define LAMINA_HOLDER(Number) \
+  {number::number_traits<Number>::name(), {rounded<Number>, along_ray<Number>}},
+  static const std::map<std::string, Holder> all{LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_HOLDER)};
+#undef LAMINA_HOLDER
+  return all.at(number);
+}
+
+Problem given(Coefficients ideal, poly::ExactRange range = {Rational(0), Rational(1)}) {
+  return {ideal, std::move(range),
+          [ideal](const std::string& number) { return holder(number).rounded(ideal); }};
+}
+
+Coefficients times(const Coefficients& a, const Coefficients& b) {
+  Coefficients product(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      product[i + j] += a[i] * b[j];
+    }
+  }
+  return product;
+}
+
+Coefficients with_roots(const Coefficients& roots) {
+  Coefficients product{1};
+  for (const Rational& root : roots) {
+    product = times(product, {-root, 1});
+  }
+  return product;
+}
+
+// Roots in [0, 1], one in each of n equal parts and not near its ends.
+Coefficients separated_roots(int n, SeededStream& stream) {
+  Coefficients roots;
+  for (int i = 0; i < n; ++i) {
+    roots.emplace_back((i + stream.uniform(0.2, 0.8)) / n);
+  }
+  return roots;
+}
+
+Coefficients clustered_roots(int n, int members, double distance, SeededStream& stream) {
+  Coefficients roots = separated_roots(n - members + 1, stream);
+  const auto first = roots[stream.below(roots.size())];
+  for (int i = 1; i < members; ++i) {
+    roots.push_back(first + Rational(distance * stream.uniform(i, i + 0.5)));
+  }
+  return roots;
+}
+
+// Different multiples of 1/32, so that few bits hold the coefficients.
+Coefficients short_roots(int n, SeededStream& stream) {
+  constexpr int kParts = 32;
+  std::vector<int> places(kParts - 1);
+  for (int i = 1; i < kParts; ++i) {
+    places[i - 1] = i;
+  }
+  Coefficients roots;
+  for (int i = 0; i < n; ++i) {
+    std::swap(places[i], places[i + stream.below(places.size() - i)]);
+    roots.emplace_back(places[i], kParts);
+  }
+  return roots;
+}
+
+Coefficients rootless(int n, SeededStream& stream) {
+  Coefficients product{1};
+  for (int i = 0; i < n; i += 2) {
+    const Rational middle(stream.unit());
+    const Rational height(stream.uniform(0.1, 1));
+    product = times(product, {middle * middle + height * height, -2 * middle, 1});
+  }
+  return product;
+}
+
+Coefficients scaled(Coefficients c, int exponent) {
+  const Rational factor = number::parse_rational(fmt::format("1e{}", exponent));
+  for (Rational& x : c) {
+    x *= factor;
+  }
+  return c;
+}
+
+Problem ray_problem(const surface::LocalSurface& surface, const geometry::ExactRay& ray,
+                    bool recentred) {
+  const number::IntegerPolynomial p = surface::RayMonomials(ray).restrict(
+      surface::carrier_of(surface, geometry::AffineMap()).carrier);
+  // Rays are drawn as from a point towards another, which is at t = 1.
+  return {Coefficients(p.coefficients().begin(), p.coefficients().end()),
+          {Rational(0), Rational(2)},
+          [surface, ray, recentred](const std::string& number) {
+            return holder(number).along_ray(surface, ray, recentred);
+          }};
+}
+
+// At a random point of the ball that bounds the solid, from `distance` away.
+geometry::ExactRay ray_at(double bounding_radius, double distance, SeededStream& stream) {
+  const auto target = bounding_radius * std::cbrt(stream.unit()) * scene::random_direction(stream);
+  return scene::ray_from(target + distance * scene::random_direction(stream), target,
+                         scene::Held::Float);
+}
+
+void add_ray_families(std::vector<PolynomialFamily>& all) {
+  const surface::LocalSurface ball = surface::sphere(1);
+  const surface::LocalSurface ring = surface::torus(1, Rational(1, 4));
+  for (const bool is_ring : {false, true}) {
+    const surface::LocalSurface surface = is_ring ? ring : ball;
+    const std::string name = is_ring ? "torus" : "sphere";
+    const int degree = is_ring ? 4 : 2;
+    for (const bool recentred : {false, true}) {
+      const std::string form = recentred ? " recentred" : "";
+      for (const double distance : {3.0, 1e3, 1e6}) {
+        all.push_back({name + form, fmt::format("from {:g}", distance), degree,
+                       [surface, is_ring, distance, recentred](SeededStream& stream) {
+                         return ray_problem(surface, ray_at(is_ring ? 1.25 : 1, distance, stream),
+                                            recentred);
+                       }});
+      }
+      for (const int k : {6, 10, 14}) {
+        const Aim aim = grazing_aim(is_ring ? "ring" : "ball", k, 3);
+        all.push_back({name + form, fmt::format("grazing 1e-{}", k), degree,
+                       [surface, aim, recentred](SeededStream& stream) {
+                         const scene::FamilyMember in_place{
+                             {}, {}, [](const geometry::Vector3<double>& p) { return p; }};
+                         return ray_problem(surface, aim.draw(in_place, {}, stream), recentred);
+                       }});
+      }
+    }
+  }
+}
+
+std::vector<PolynomialFamily> make_families() {
+  std::vector<PolynomialFamily> all;
+  const std::vector<int> degrees{2, 3, 4, 6, 10};
+  for (const int n : degrees) {
+    all.push_back({"separated", "", n, [n](SeededStream& stream) {
+                     return given(with_roots(separated_roots(n, stream)));
+                   }});
+  }
+  for (const int members : {2, 3}) {
+    for (const int n : degrees) {
+      for (const int k : {3, 6, 9, 12}) {
+        if (n < members) {
+          continue;
+        }
+        all.push_back({fmt::format("cluster of {}", members), fmt::format("1e-{}", k), n,
+                       [n, members, k](SeededStream& stream) {
+                         return given(
+                             with_roots(clustered_roots(n, members, std::pow(10.0, -k), stream)));
+                       }});
+      }
+    }
+  }
+  for (const int n : degrees) {
+    all.push_back({"double root", "", n, [n](SeededStream& stream) {
+                     Coefficients roots = short_roots(n - 1, stream);
+                     roots.push_back(roots.front());
+                     return given(with_roots(roots));
+                   }});
+  }
+  for (const int n : degrees) {
+    if (n % 2 == 0) {
+      all.push_back(
+          {"no root", "", n, [n](SeededStream& stream) { return given(rootless(n, stream)); }});
+    }
+  }
+  for (const int n : degrees) {
+    all.push_back({"roots at 0 and 1", "", n, [n](SeededStream& stream) {
+                     Coefficients roots = short_roots(n - 2, stream);
+                     roots.insert(roots.end(), {Rational(0), Rational(1)});
+                     return given(with_roots(roots));
+                   }});
+  }
+  for (const int n : degrees) {
+    for (const int k : {150, -150, -310}) {
+      all.push_back({"badly scaled", fmt::format("1e{}", k), n, [n, k](SeededStream& stream) {
+                       return given(scaled(with_roots(separated_roots(n, stream)), k));
+                     }});
+    }
+  }
+  add_ray_families(all);
+  return all;
+}
+
+}  // namespace
+
+const std::vector<PolynomialFamily>& polynomial_families() {
+  static const std::vector<PolynomialFamily> all = make_families();
+  return all;
+}
+
+}  // namespace lamina::experiments

@@ -1,0 +1,38 @@
+// The polynomials of the experiment `solver-accuracy`: families with known roots, and those of
+// rays at a sphere and a torus.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/seeded_stream.hpp"
+#include "poly/solution.hpp"
+
+namespace lamina::experiments {
+
+/// A polynomial as a number type holds it.
+struct HeldPolynomial {
+  std::vector<number::Rational> ascending;
+  number::Rational shift = 0;  ///< its roots are those of the ideal one less this
+};
+
+/// What is to be solved: the ideal polynomial, exact, and what becomes of it in a number type.
+struct Problem {
+  std::vector<number::Rational> ideal;
+  poly::ExactRange range;
+  /// By the name of the number type; none if it holds no such coefficients.
+  std::function<std::optional<HeldPolynomial>(const std::string& number)> hold;
+};
+
+struct PolynomialFamily {
+  std::string name;
+  std::string parameter;
+  int degree = 2;
+  std::function<Problem(base::SeededStream&)> draw;
+};
+
+const std::vector<PolynomialFamily>& polynomial_families();
+
+}  // namespace lamina::experiments

@@ -1,0 +1,30 @@
+// Intervals of doubles: certified enclosures, fast. What includes this is compiled with
+// -frounding-math, since the operations round upwards.
+#pragma once
+
+#include <CGAL/Interval_nt.h>
+
+#include <optional>
+
+namespace lamina::number {
+
+/// A closed interval; + - * / by CGAL, each of which contains all that its operands can make.
+/// Contract: a RoundingUpwards lives in this thread.
+using DoubleInterval = CGAL::Interval_nt<false>;
+
+/// While one lives, this thread rounds upwards.
+using RoundingUpwards = CGAL::Protect_FPU_rounding<true>;
+
+/// The sign that all numbers of the interval have, 0 only for the number zero; none if they have
+/// not all the same, or if an end overflowed to NaN.
+inline std::optional<int> sign(const DoubleInterval& x) {
+  if (x.inf() > 0) {
+    return 1;
+  }
+  if (x.sup() < 0) {
+    return -1;
+  }
+  return x.inf() == 0 && x.sup() == 0 ? std::optional(0) : std::nullopt;
+}
+
+}  // namespace lamina::number

@@ -1,0 +1,12 @@
+#include "number/all_numbers.hpp"
+#include "number/eigenvalues.ipp"
+
+namespace lamina::number {
+
+#define LAMINA_INSTANTIATE(Number)                                     \
+  template bool companion_eigenvalues<Number>(std::span<const Number>, \
+                                              std::span<Eigenvalue<Number>>);
+LAMINA_FOR_EACH_NARROW_BIN_NUMBER(LAMINA_INSTANTIATE)
+#undef LAMINA_INSTANTIATE
+
+}  // namespace lamina::number

@@ -1,0 +1,388 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "poly/bernstein.hpp"
+#include "poly/newton.hpp"
+#include "poly/scaling.hpp"
+#include "poly/sign_changes.hpp"
+
+namespace lamina::poly {
+namespace detail {
+
+// The search for t = length u with 0 < u <= 1; the length may be negative. The degree is known
+// when it is compiled, so that its loops are unrolled.
+template <int n_, RoundedNumber Number>
+class BernsteinSearch {
+ public:
+  BernsteinSearch(const Polynomial<Number>& p, const Number& length, RealRoots<Number>& roots)
+      : p_(p), length_(length), roots_(roots) {
+    set_local_coefficients();
+    whole_ = {local_, Number(0), Number(1)};
+    // By additions only, times C(n, j): most that have no root need no more.
+    Coefficients& b = whole_.b;
+    for (int level = 1; level <= n_; ++level) {
+      for (int j = level; j > 0; --j) {
+        b[j] = b[j] + b[j - 1];
+      }
+    }
+  }
+
+  // Is there none for certain? A first coefficient that has underflowed says nothing.
+  [[nodiscard]] bool finds_none() const {
+    return whole_.b[0] != 0 && whole_.b[n_] != 0 && sign_changes(whole_.b) == 0;
+  }
+
+  // No coefficient underflows beside the others, if no root but zero is nearer to zero than 2^-this
+  // of the length. Software floats take the exponents of double for that.
+  static int widest_range() {
+    constexpr long kExponents = 1024;
+    return static_cast<int>(std::min<long>(std::numeric_limits<Number>::max_exponent, kExponents) /
+                            (2 * n_));
+  }
+
+  // Adds the roots with u > 0 and start <= u <= 1, at the start only if it is `included`.
+  // Contract: 0 <= start < 1.
+  void run(const Number& start, bool included) {
+    Coefficients& b = whole_.b;
+    const int sign_at_end = sign_of(b[n_]);
+    for (int j = 1; j < n_; ++j) {
+      b[j] = b[j] / Number(kBinomials[n_][j]);
+    }
+    if (start > 0) {
+      whole_ = split(whole_, start);
+      if (included) {
+        add_zeros_at_start(whole_);
+      }
+    }
+    sign_before_ = sign_of(b[0]);
+    search(whole_, most_halvings());
+    close_cluster(sign_at_end);
+    if (sign_at_end == 0) {
+      roots_.add(length_, leading_zeros(b.rbegin(), b.rend()));
+    }
+  }
+
+ private:
+  using Coefficients = std::array<Number, n_ + 1>;
+
+  struct Piece {
+    Coefficients b;
+    Number low;  // in u
+    Number high;
+  };
+
+  // Beyond this the ends of an interval of u in 0 .. 1 need not be different numbers; near 0 they
+  // are as far down as roots are.
+  static int most_halvings() {
+    return number::number_traits<Number>::kSignificandBits + widest_range();
+  }
+  // Before this no interval is so narrow that rounding decides; saves time only.
+  static constexpr int kHalvingsWithoutDoubt = 4;
+
+  static int sign_of(const Number& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+  // c_i length^i, all times one power of two where that is needed to keep them in range.
+  void set_local_coefficients() {
+    using std::abs;
+    using std::frexp;
+    using std::ldexp;
+    Number power = 1;
+    Number most = 0;
+    for (int i = 0; i <= n_; ++i) {
+      local_[i] = p_.c[i] * power;
+      power = power * length_;
+      most = std::max(most, Number(abs(local_[i])));
+    }
+    const Number small = ldexp(Number(1), std::numeric_limits<Number>::min_exponent / 2);
+    if (most > small && most < 1 / small) {
+      return;
+    }
+    int length_exponent = 0;
+    const Number length_fraction = frexp(length_, &length_exponent);
+    std::array<int, n_ + 1> exponents{};
+    int most_exponent = std::numeric_limits<int>::min();
+    power = 1;
+    for (int i = 0; i <= n_; ++i) {
+      local_[i] = frexp(p_.c[i], &exponents[i]) * power;
+      power = power * length_fraction;
+      exponents[i] += i * length_exponent;
+      if (local_[i] != 0) {
+        most_exponent = std::max(most_exponent, exponents[i]);
+      }
+    }
+    for (int i = 0; i <= n_; ++i) {
+      local_[i] = ldexp(local_[i], exponents[i] - most_exponent);
+    }
+  }
+
+  static int sign_changes(const Coefficients& b) {
+    unsigned negative = 0;  // a bit for each
+    unsigned zero = 0;
+    for (int j = 0; j <= n_; ++j) {
+      negative |= static_cast<unsigned>(b[j] < 0) << j;
+      zero |= static_cast<unsigned>(b[j] == 0) << j;
+    }
+    if (zero == 0) {
+      constexpr unsigned kNeighbours = (1U << n_) - 1;
+      return std::popcount((negative ^ (negative >> 1)) & kNeighbours);
+    }
+    int changes = 0;
+    int last = 0;
+    for (int j = 0; j <= n_; ++j) {
+      const int sign = sign_of(b[j]);
+      changes += sign * last < 0 ? 1 : 0;
+      last = sign != 0 ? sign : last;
+    }
+    return changes;
+  }
+
+  template <typename Iterator>
+  static int leading_zeros(Iterator first, Iterator last) {
+    return static_cast<int>(std::find_if(first, last, [](const Number& b) { return b != 0; }) -
+                            first);
+  }
+
+  void add_zeros_at_start(const Piece& piece) {
+    if (piece.b[0] == 0) {
+      roots_.add(length_ * piece.low, leading_zeros(piece.b.begin(), piece.b.end()));
+    }
+  }
+
+  // Cuts the piece at the part `u` of it (de Casteljau); leaves the left one, returns the other.
+  Piece split(Piece& piece, const Number& u) const {
+    const Number middle = piece.low + (piece.high - piece.low) * u;
+    Piece right{piece.b, middle, piece.high};
+    piece.high = middle;
+    for (int level = 1; level <= n_; ++level) {
+      for (int j = 0; j <= n_ - level; ++j) {
+        right.b[j] = right.b[j] + (right.b[j + 1] - right.b[j]) * u;
+      }
+      piece.b[level] = right.b[0];
+    }
+    return right;
+  }
+
+  // The same in the middle: sums, and the powers of two at the end.
+  Piece halve(Piece& piece) const {
+    const Number middle = piece.low + (piece.high - piece.low) / 2;
+    Piece right{piece.b, middle, piece.high};
+    piece.high = middle;
+    Number power = 1;
+    for (int level = 1; level <= n_; ++level) {
+      power = power / 2;
+      for (int j = 0; j <= n_ - level; ++j) {
+        right.b[j] = right.b[j] + right.b[j + 1];
+      }
+      piece.b[level] = right.b[0] * power;
+    }
+    for (int j = 0; j < n_; ++j) {
+      right.b[j] = right.b[j] * power;
+      power = power * 2;
+    }
+    return right;
+  }
+
+  // From left to right, without the ends.
+  void search(Piece& piece, int halvings_left) {
+    const int changes = sign_changes(piece.b);
+    if (changes == 0) {
+      pass(piece.b);
+    } else if (changes == 1) {
+      add_simple(piece);
+      pass(piece.b);
+    } else if (halvings_left == 0 || (most_halvings() - halvings_left > kHalvingsWithoutDoubt &&
+                                      is_lost_in_rounding(piece))) {
+      if (!in_cluster_) {
+        cluster_low_ = piece.low;
+      }
+      in_cluster_ = true;
+      cluster_high_ = piece.high;
+    } else {
+      Piece right = halve(piece);
+      search(piece, halvings_left - 1);
+      add_zeros_at_start(right);
+      search(right, halvings_left - 1);
+    }
+  }
+
+  // An interval with certain signs ends a cluster, and tells the sign before the next.
+  void pass(const Coefficients& b) {
+    int first = 0;
+    while (first < n_ && b[first] == 0) {
+      ++first;
+    }
+    int last = n_;
+    while (last > 0 && b[last] == 0) {
+      --last;
+    }
+    close_cluster(sign_of(b[first]));
+    sign_before_ = sign_of(b[last]);
+  }
+
+  // The coefficients are weighted sums of the c_i u^i, off by 2 n u times the sum of |c_i u^i| from
+  // the change of basis; each halving adds n u times the largest one, which becomes smaller with
+  // the interval: as much again is allowed for them all. No simple root depends on this bound.
+  [[nodiscard]] bool is_lost_in_rounding(const Piece& piece) const {
+    using std::abs;
+    Number terms = abs(local_[n_]);
+    for (int i = n_ - 1; i >= 0; --i) {
+      terms = terms * piece.high + abs(local_[i]);
+    }
+    const Number rounding = Number(4 * n_) * number::unit_roundoff<Number>() * terms;
+    return std::all_of(piece.b.begin(), piece.b.end(),
+                       [&](const Number& b) { return abs(b) <= rounding; });
+  }
+
+  void add_simple(const Piece& piece) {
+    // Where the control polygon crosses zero.
+    int before = 0;
+    while (piece.b[before] == 0) {
+      ++before;
+    }
+    const bool rising = piece.b[before] < 0;
+    int after = before;
+    while (rising ? piece.b[after] <= 0 : piece.b[after] >= 0) {
+      before = piece.b[after] != 0 ? after : before;
+      ++after;
+    }
+    const Number part = piece.b[before] / (piece.b[before] - piece.b[after]);
+    const Number u = (Number(before) + Number(after - before) * part) / Number(n_);
+    add_bracketed(piece.low, piece.high, piece.low + (piece.high - piece.low) * u, rising, 1);
+  }
+
+  // The sign change of p between two u, rising with u.
+  void add_bracketed(const Number& low, const Number& high, const Number& start, bool rising,
+                     int multiplicity) {
+    const Number a = length_ * low;
+    const Number b = length_ * high;
+    const Number t = length_ * start;
+    roots_.add(
+        length_ > 0 ? bracketed_root(p_, a, b, rising, t) : bracketed_root(p_, b, a, !rising, t),
+        multiplicity);
+  }
+
+  void close_cluster(int sign_after) {
+    if (!in_cluster_) {
+      return;
+    }
+    in_cluster_ = false;
+    const Number u = cluster_low_ + (cluster_high_ - cluster_low_) / 2;
+    if (sign_before_ * sign_after < 0) {
+      add_bracketed(cluster_low_, cluster_high_, u, sign_after > 0, 0);
+    } else {
+      roots_.add(double_root(u), 2);
+    }
+  }
+
+  // A double root is a simple one of the derivative: far better placed by that.
+  [[nodiscard]] Number double_root(const Number& u) const {
+    const Polynomial<Number> slope = derivative(p_);
+    Number t = length_ * u;
+    constexpr int kSteps = 4;  // from half of the digits on two are enough
+    for (int step = 0; step < kSteps; ++step) {
+      const ValueAndSlope<Number> at = value_and_slope(slope, t);
+      const Number next = t - at.value / at.slope;
+      const Number next_u = next / length_;
+      if (!(cluster_low_ <= next_u && next_u <= cluster_high_)) {
+        break;
+      }
+      t = next;
+    }
+    return t;
+  }
+
+  const Polynomial<Number>& p_;
+  Number length_;
+  RealRoots<Number>& roots_;
+  Coefficients local_;
+  Piece whole_;
+  int sign_before_ = 0;  // of what was passed last
+  bool in_cluster_ = false;
+  Number cluster_low_;  // in u
+  Number cluster_high_;
+};
+
+}  // namespace detail
+
+namespace detail {
+
+// The roots from near to far, which is not zero and on the same side; near is zero or `included`. A
+// range that is too wide for the exponents is cut in the middle of these, so many times at most.
+template <int kDegree, RoundedNumber Number>
+void bernstein_search_one_side(const Polynomial<Number>& p, const Number& near, const Number& far,
+                               bool included, int cuts_left, RealRoots<Number>& roots) {
+  BernsteinSearch<kDegree, Number> search(p, far, roots);
+  if (search.finds_none()) {
+    return;
+  }
+  const std::int64_t least = near == 0 ? least_root_exponent(p) : exponent_of(near);
+  const std::int64_t gap = exponent_of(far) - least;
+  if (gap <= search.widest_range() || cuts_left == 0) {
+    search.run(Number(near / far), included);
+    return;
+  }
+  const Number half = far > 0 ? Number(0.5) : Number(-0.5);
+  const Number cut = times_power_of_two(half, least + gap / 2);
+  bernstein_search_one_side<kDegree>(p, near, cut, included, cuts_left - 1, roots);
+  bernstein_search_one_side<kDegree>(p, cut, far, false, cuts_left - 1, roots);
+}
+
+template <int kDegree, RoundedNumber Number>
+void bernstein_search(const Polynomial<Number>& p, const Number& low, const Number& high,
+                      RealRoots<Number>& roots) {
+  if constexpr (kDegree > 1) {
+    if (p.degree < kDegree) {
+      bernstein_search<kDegree - 1>(p, low, high, roots);
+      return;
+    }
+  }
+  constexpr int kMostCuts = 6;  // enough for the exponents of double, and of long double
+  if (low < 0) {
+    const Number near = std::min(high, Number(0));
+    bernstein_search_one_side<kDegree>(p, near, low, near != 0, kMostCuts, roots);
+  }
+  if (high > 0) {
+    const Number near = std::max(low, Number(0));
+    bernstein_search_one_side<kDegree>(p, near, high, near != 0, kMostCuts, roots);
+  }
+}
+
+}  // namespace detail
+
+template <RoundedNumber Number>
+RealRoots<Number> bernstein_roots(const Polynomial<Number>& p, const Range<Number>& range) {
+  using std::abs;
+  RealRoots<Number> roots;
+  Number low = range.low;
+  Number high = range.high;
+  if (!(abs(low) <= std::numeric_limits<Number>::max() &&
+        abs(high) <= std::numeric_limits<Number>::max())) {
+    const Number bound = root_bound(p);
+    low = std::max(low, Number(-bound));
+    high = std::min(high, bound);
+  }
+  if (!(low <= high)) {
+    return roots;
+  }
+  if (low <= 0 && high >= 0 && p.c[0] == 0) {
+    int zeros = 1;
+    while (p.c[zeros] == 0) {
+      ++zeros;
+    }
+    roots.add(Number(0), zeros);
+  }
+  if (low == high) {
+    if (low != 0 && value(p, low) == 0) {
+      roots.add(low);
+    }
+    return roots;
+  }
+  detail::bernstein_search<kMostDegree>(p, low, high, roots);
+  return roots;
+}
+
+}  // namespace lamina::poly

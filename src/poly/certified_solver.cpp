@@ -1,0 +1,310 @@
+// The only file that compiles these templates, and that computes with intervals of doubles.
+#include "poly/certified_solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "number/all_numbers.hpp"
+#include "number/double_interval.hpp"
+#include "poly/certified_roots.hpp"
+#include "poly/sign_changes.hpp"
+
+namespace lamina::poly {
+namespace {
+
+using number::DoubleInterval;
+
+// The search for t = length u with 0 < u <= 1; the length may be negative.
+class IntervalSearch {
+ public:
+  IntervalSearch(const Polynomial<double>& p, double length, const Range<double>& range,
+                 RealRoots<double>& roots)
+      : p_(p), n_(p.degree), length_(length), range_(range), roots_(roots) {}
+
+  // Adds the roots of the range from the part `start` on; false if something is undecided.
+  // Contract: c_0 is not zero, and this thread rounds upwards.
+  bool run(double start) {
+    Piece whole{{}, DoubleInterval(0), DoubleInterval(1)};
+    Coefficients& b = whole.b;
+    DoubleInterval power = 1;
+    for (int i = 0; i <= n_; ++i) {
+      b[i] = DoubleInterval(p_.c[i]) * power;
+      power *= DoubleInterval(length_);
+    }
+    for (int level = 1; level <= n_; ++level) {
+      for (int j = level; j > 0; --j) {
+        b[j] += b[j - 1];
+      }
+    }
+    for (int j = 1; j < n_; ++j) {
+      b[j] /= DoubleInterval(kBinomials[n_][j]);
+    }
+    if (start > 0) {
+      whole = split(whole, start);
+    }
+    return is_certain(b[0]) && is_certain(b[n_]) && search(whole, kMostHalvings);
+  }
+
+ private:
+  using Coefficients = std::array<DoubleInterval, kMostDegree + 1>;
+
+  struct Piece {
+    Coefficients b;
+    DoubleInterval low;  // in u
+    DoubleInterval high;
+  };
+
+  // An interval of doubles is not cut much narrower than this many times.
+  static constexpr int kMostHalvings = 60;
+  // Where an interval is cut: in the middle, or else where no root is near.
+  static constexpr std::array<double, 5> kCuts{8. / 16, 7. / 16, 9. / 16, 5. / 16, 11. / 16};
+
+  static bool is_certain(const DoubleInterval& x) { return number::sign(x).value_or(0) != 0; }
+
+  [[nodiscard]] int most_changes(const Coefficients& b) const {
+    std::array<std::optional<int>, kMostDegree + 1> signs;
+    for (int j = 0; j <= n_; ++j) {
+      signs[j] = number::sign(b[j]);
+    }
+    return most_sign_changes(std::span(signs).first(n_ + 1));
+  }
+
+  // Cuts the piece at the part `u` of it (de Casteljau); leaves the left one, returns the other.
+  Piece split(Piece& piece, double u) const {
+    const DoubleInterval weight(u);
+    const DoubleInterval rest = DoubleInterval(1) - weight;
+    const DoubleInterval middle = rest * piece.low + weight * piece.high;
+    Piece right{piece.b, middle, piece.high};
+    piece.high = middle;
+    for (int level = 1; level <= n_; ++level) {
+      for (int j = 0; j <= n_ - level; ++j) {
+        right.b[j] = rest * right.b[j] + weight * right.b[j + 1];
+      }
+      piece.b[level] = right.b[0];
+    }
+    return right;
+  }
+
+  // Both ends have certain signs. Returns false if something is undecided.
+  bool search(const Piece& piece, int halvings_left) {
+    const int most = most_changes(piece.b);
+    if (most == 0) {
+      return true;
+    }
+    if (most == 1 && number::sign(piece.b[0]) != number::sign(piece.b[n_])) {
+      return add(piece);
+    }
+    for (const double cut : kCuts) {
+      if (halvings_left == 0) {
+        break;
+      }
+      Piece left = piece;
+      const Piece right = split(left, cut);
+      if (is_certain(right.b[0])) {
+        return search(left, halvings_left - 1) && search(right, halvings_left - 1);
+      }
+    }
+    return false;
+  }
+
+  // The one root of the piece, if it is in the range; false if that cannot be told.
+  bool add(const Piece& piece) {
+    const DoubleInterval one_end = DoubleInterval(length_) * piece.low;
+    const DoubleInterval other_end = DoubleInterval(length_) * piece.high;
+    const bool rising = (length_ > 0) == (number::sign(piece.b[n_]) == 1);
+    const DoubleInterval root(narrowed(
+        {std::min(one_end.inf(), other_end.inf()), std::max(one_end.sup(), other_end.sup())},
+        rising));
+    if (root.sup() < range_.low || range_.high < root.inf()) {
+      return true;
+    }
+    if (root.inf() < range_.low || range_.high < root.sup()) {
+      return false;
+    }
+    roots_.add(middle_of(root), 1);
+    return true;
+  }
+
+  static double middle_of(const DoubleInterval& x) {
+    return std::clamp(x.inf() + (x.sup() - x.inf()) / 2, x.inf(), x.sup());
+  }
+
+  // What remains of an interval with one root in it after interval Newton steps, and halving
+  // where they do not help.
+  [[nodiscard]] DoubleInterval narrowed(DoubleInterval t, bool rising) const {
+    while (true) {
+      const double middle = middle_of(t);
+      if (!(t.inf() < middle && middle < t.sup())) {
+        return t;
+      }
+      const DoubleInterval here = at(DoubleInterval(middle)).value;
+      const DoubleInterval slope = at(t).slope;
+      DoubleInterval next = t;
+      if (is_certain(slope)) {
+        const DoubleInterval newton = DoubleInterval(middle) - here / slope;
+        next = {std::max(t.inf(), newton.inf()), std::min(t.sup(), newton.sup())};
+      }
+      const double width = t.sup() - t.inf();
+      if (next.sup() - next.inf() > width / 2 && is_certain(here)) {
+        const bool left = (number::sign(here) == 1) == rising;
+        next = left ? DoubleInterval(next.inf(), std::min(next.sup(), middle))
+                    : DoubleInterval(std::max(next.inf(), middle), next.sup());
+      }
+      if (!(next.sup() - next.inf() < width)) {
+        return t;
+      }
+      t = next;
+    }
+  }
+
+  struct At {
+    DoubleInterval value;
+    DoubleInterval slope;
+  };
+  [[nodiscard]] At at(const DoubleInterval& t) const {
+    At sum{DoubleInterval(p_.c[n_]), DoubleInterval(0)};
+    for (int i = n_ - 1; i >= 0; --i) {
+      sum.slope = sum.slope * t + sum.value;
+      sum.value = sum.value * t + DoubleInterval(p_.c[i]);
+    }
+    return sum;
+  }
+
+  const Polynomial<double>& p_;
+  int n_;
+  double length_;
+  Range<double> range_;
+  RealRoots<double>& roots_;
+};
+
+// p without its roots at zero, which are certain.
+template <RoundedNumber Number>
+Polynomial<Number> without_zeros(const Polynomial<Number>& p, const Range<Number>& range,
+                                 RealRoots<Number>& roots) {
+  int zeros = 0;
+  while (p.c[zeros] == 0) {
+    ++zeros;
+  }
+  if (zeros > 0 && range.contains(Number(0))) {
+    roots.add(Number(0), zeros);
+  }
+  return Polynomial<Number>(std::span(p.c).subspan(zeros, p.degree + 1 - zeros));
+}
+
+RealRoots<double> by_double_intervals(const Polynomial<double>& given, Range<double> range) {
+  RealRoots<double> roots;
+  const Polynomial<double> p = without_zeros(given, range, roots);
+  if (p.degree == 0) {
+    return roots;
+  }
+  const double bound = 2 * root_bound(p);  // no root is as large
+  range.low = std::max(range.low, -bound);
+  range.high = std::min(range.high, bound);
+  const number::RoundingUpwards upwards;
+  // The parts are rounded down, so that the search starts at or before the range does.
+  const auto part = [](double near, double far) {
+    return near / far > 0 ? std::nextafter(near / far, 0) : 0;
+  };
+  const bool decided =
+      !(range.low <= range.high) ||
+      ((range.low >= 0 || IntervalSearch(p, range.low, range, roots)
+                              .run(range.high < 0 ? part(range.high, range.low) : 0)) &&
+       (range.high <= 0 || IntervalSearch(p, range.high, range, roots)
+                               .run(range.low > 0 ? part(range.low, range.high) : 0)));
+  if (!decided) {
+    roots.count = 0;
+    roots.outcome = Outcome::Undecided;
+  }
+  return roots;
+}
+
+template <RoundedNumber Number>
+RealRoots<Number> undecided() {
+  RealRoots<Number> none;
+  none.outcome = Outcome::Undecided;
+  return none;
+}
+
+template <RoundedNumber Number>
+RealRoots<Number> by_many_bits(const Polynomial<Number>& given, const Range<Number>& range) {
+  using Traits = number::number_traits<Number>;
+  constexpr int kBits = Traits::kSignificandBits;
+  RealRoots<Number> roots;
+  const Polynomial<Number> p = without_zeros(given, range, roots);
+  for (const int side : {-1, 1}) {
+    std::vector<number::Interval> ascending;
+    for (int i = 0; i <= p.degree; ++i) {
+      const number::Rational c = Traits::to_exact(p.c[i]);
+      ascending.emplace_back(side < 0 && i % 2 == 1 ? number::Rational(-c) : c, kBits);
+    }
+    const auto positive = positive_roots(std::move(ascending));
+    if (!positive) {
+      return undecided<Number>();
+    }
+    for (const IsolatedRoot& root : *positive) {
+      // The bits that the coefficients have may not do for as many of the root.
+      for (int bits = kBits;; bits -= 4) {
+        if (bits <= 0) {
+          return undecided<Number>();
+        }
+        const auto bounds = enclosure(root, bits);
+        if (!bounds) {
+          continue;
+        }
+        const Number low = Traits::from_exact(side < 0 ? -bounds->upper : bounds->lower);
+        const Number high = Traits::from_exact(side < 0 ? -bounds->lower : bounds->upper);
+        const bool inside = range.contains(low);
+        if (inside != range.contains(high) || low == range.low || high == range.high) {
+          return undecided<Number>();
+        }
+        if (inside) {
+          roots.add(Number(low + (high - low) / 2), 1);
+        }
+        break;
+      }
+    }
+  }
+  return roots;
+}
+
+}  // namespace
+
+template <RoundedNumber Number>
+RealRoots<Number> certified_real_roots(const Polynomial<Number>& p, const Range<Number>& range) {
+  if constexpr (number::number_traits<Number>::kSignificandBits <= 53) {
+    Polynomial<double> narrow;
+    narrow.degree = p.degree;
+    for (int i = 0; i <= p.degree; ++i) {
+      narrow.c[i] = static_cast<double>(p.c[i]);
+      if (Number(narrow.c[i]) != p.c[i]) {
+        return undecided<Number>();
+      }
+    }
+    const RealRoots<double> found = by_double_intervals(
+        narrow, {static_cast<double>(range.low), static_cast<double>(range.high)});
+    RealRoots<Number> roots;
+    for (int i = 0; i < found.count; ++i) {
+      if constexpr (std::is_floating_point_v<Number>) {
+        roots.add(static_cast<Number>(found.t[i]), found.multiplicity[i]);
+      } else {  // Boost cuts off what it takes from a double, and rounds what it takes from itself
+        roots.add(Number(number::bin<53>(found.t[i])), found.multiplicity[i]);
+      }
+    }
+    roots.outcome = found.outcome;
+    return roots;
+  } else {
+    return by_many_bits(p, range);
+  }
+}
+
+#define LAMINA_INSTANTIATE(Number)                                                   \
+  template RealRoots<Number> certified_real_roots<Number>(const Polynomial<Number>&, \
+                                                          const Range<Number>&);
+LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_INSTANTIATE)
+#undef LAMINA_INSTANTIATE
+
+}  // namespace lamina::poly

@@ -1,0 +1,83 @@
+// The root finders by name, and the one way to call them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "poly/line_roots.hpp"
+#include "poly/real_roots.hpp"
+
+namespace lamina::poly {
+
+enum class Solver : std::uint8_t {
+  Textbook,
+  Stable,
+  Kahan,
+  Cardano,
+  CardanoPolished,
+  KahanCubic,
+  Ferrari,
+  FerrariPolished,
+  Algorithm1010,
+  Laguerre,
+  LaguerrePolished,
+  Sturm,
+  Monotone,
+  Bernstein,
+  Companion,
+  Certified,
+  Exact,
+};
+
+struct SolverInfo {
+  Solver solver;
+  std::string_view name;
+  int least_degree;  ///< lower ones, from leading zeros, go to the default of their degree
+  int most_degree;
+  std::string_view meaning;
+};
+
+/// Every solver, by degree and then by kind.
+std::span<const SolverInfo> all_solvers();
+const SolverInfo& solver_info(Solver solver);
+
+/// Throws base::InputError that lists them.
+Solver parse_solver(std::string_view name);
+
+/// Is it one of the closed forms that poly/quadratic.hpp has?
+constexpr bool is_quadratic_formula(Solver solver) {
+  return solver == Solver::Textbook || solver == Solver::Stable || solver == Solver::Kahan;
+}
+
+/// Can it solve polynomials of this degree?
+bool fits(Solver solver, int degree);
+
+/// The one to take for polynomials of this degree, chosen from the table of
+/// experiments/solver-accuracy. Contract: degree >= 2.
+Solver default_solver(int degree);
+
+/// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial.
+struct Solvers {
+  Solver quadratic = Solver::Kahan;
+  Solver quartic = Solver::Monotone;
+  bool recentred = true;  ///< rays from afar at a torus, at their point nearest to its centre
+  RootFault fault{};
+};
+
+/// Returns the roots of c_0 + c_1 t + ... + c_n t^n in the range, ascending, as the solver finds
+/// them; no NaN, none outside the range, whatever the coefficients are. Allocates nothing for
+/// n <= kMostDegree, but for Exact. What a solver's errors are stands in its own header.
+///
+/// Contract: n <= kMostDegree, and the solver fits the degree; lower degrees than it is made for
+/// are solved by default_solver, a linear equation by division.
+template <RoundedNumber Number>
+RealRoots<Number> real_roots(std::span<const Number> ascending, const Range<Number>& range,
+                             Solver solver);
+
+/// Returns the sign changes on the whole line of a polynomial of degree 4 at most: those of
+/// real_roots that are not known to be of even multiplicity.
+template <RoundedNumber Number>
+LineRoots<Number> crossings(std::span<const Number> ascending, Solver solver);
+
+}  // namespace lamina::poly
