@@ -63,8 +63,8 @@ std::vector<report::Table> tables(const Experiment& experiment,
                                   const std::vector<report::LabelledCensus>& counted) {
   std::vector<report::LabelledCensus> replayed = counted;
   for (report::LabelledCensus& row : replayed) {
-    const bool as_given = std::get<std::string>(row.labels[2]) == "as given";
-    row.options += fmt::format("{} --solver {}", as_given ? " --as-given" : "",
+    const bool recentred = std::get<std::string>(row.labels[2]) == "recentred";
+    row.options += fmt::format("{} --solver {}", recentred ? " --recentred" : "",
                                std::get<std::string>(row.labels.back()));
   }
   return {artifact_table(experiment, replayed)};

@@ -35,15 +35,14 @@ struct SceneOptions {
 
 struct SolverOptions {
   std::string names;
-  bool as_given = false;
+  bool recentred = false;
 
   void add_to(CLI::App& command) {
     command.add_option("--solver", names,
                        "root finders of quadrics and tori, separated by commas, in place of the "
                        "default ones (lamina list solvers)");
-    command.add_flag("--as-given", as_given,
-                     "solve for rays as they are, from afar at a torus, too, where they are else "
-                     "taken from their point nearest to its centre");
+    command.add_flag("--recentred", recentred,
+                     "solve for rays from afar at a torus from their point nearest to its centre");
   }
   /// Those named, in their order; none by default.
   [[nodiscard]] std::vector<poly::Solver> list() const {
@@ -51,7 +50,7 @@ struct SolverOptions {
   }
   [[nodiscard]] poly::Solvers solvers() const {
     poly::Solvers solvers = names.empty() ? poly::Solvers() : parse_solvers(names);
-    solvers.recentred = !as_given;
+    solvers.recentred = recentred;
     return solvers;
   }
 };
@@ -59,7 +58,7 @@ struct SolverOptions {
 /// What `lamina explain` needs besides scene and ray to see what these options made of them:
 /// those that are not the defaults, each behind a blank.
 inline std::string replay_options(const scene::ReadOptions& read, const SolverOptions& solvers) {
-  return std::string(read.facets ? " --facets" : "") + (solvers.as_given ? " --as-given" : "") +
+  return std::string(read.facets ? " --facets" : "") + (solvers.recentred ? " --recentred" : "") +
          (solvers.names.empty() ? std::string() : " --solver " + solvers.names);
 }
 

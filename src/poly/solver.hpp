@@ -61,7 +61,7 @@ Solver default_solver(int degree);
 struct Solvers {
   Solver quadratic = Solver::Kahan;
   Solver quartic = Solver::Monotone;
-  bool recentred = true;  ///< rays from afar at a torus, at their point nearest to its centre
+  bool recentred = false;  ///< rays from afar at a torus, at their point nearest to its centre
   RootFault fault{};
 };
 

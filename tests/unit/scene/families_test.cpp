@@ -253,8 +253,8 @@ std::vector<Known> known_families() {
          return off * off + p.z * p.z < 0.0625;
        })},
       {"round:cut-ring",
-       {-1.4, -1.4, -1.2},
-       {1.4, 1.4, 1.2},
+       {-1.3, -1.3, -0.2},
+       {1.3, 1.3, 0.5},
        [](const Point& p) -> std::string {
          const double off = std::hypot(p.x, p.y) - 1;
          if (off * off + p.z * p.z < 0.0625) {
