@@ -260,9 +260,8 @@ class BernsteinSearch {
     const Number a = length_ * low;
     const Number b = length_ * high;
     const Number t = length_ * start;
-    roots_.add(
-        length_ > 0 ? bracketed_root(p_, a, b, rising, t) : bracketed_root(p_, b, a, !rising, t),
-        multiplicity);
+    roots_.add(length_ > 0 ? halley_root(p_, a, b, rising, t) : halley_root(p_, b, a, !rising, t),
+               multiplicity);
   }
 
   void close_cluster(int sign_after) {

@@ -6,12 +6,41 @@
 namespace lamina::poly {
 
 /// Returns the root of a piece between low and high on which the polynomial changes its sign
-/// once (to positive at high if `rising`), from a start between them: Halley's steps, or halving
-/// where a step leaves the bounds or is more than half of the one before. It ends where a step
-/// changes nothing, or where the next one would be below a quarter of a unit, steps going down
-/// as they do: what is left is the error of the value as computed, divided by the slope.
+/// once (to positive at high if `rising`): Newton's steps from the middle, or halving where a step
+/// leaves the bounds or does not halve the one before. It ends where a step changes nothing: what
+/// is left is the error of the value as computed, divided by the slope.
 template <RoundedNumber Number>
-Number bracketed_root(const Polynomial<Number>& p, Number low, Number high, bool rising, Number t) {
+Number newton_root(const Polynomial<Number>& p, const Polynomial<Number>& slope, Number low,
+                   Number high, bool rising) {
+  using std::abs;
+  Number t = low + (high - low) / 2;
+  Number last_step = high - low;
+  while (low < t && t < high) {
+    const Number at = value(p, t);
+    if (at == 0) {
+      return t;
+    }
+    ((at > 0) == rising ? high : low) = t;
+    const Number step = at / value(slope, t);
+    Number next = t - step;
+    if (!(low < next && next < high) || abs(step) > last_step / 2) {
+      next = low + (high - low) / 2;
+      last_step = high - low;
+    } else {
+      last_step = abs(step);
+    }
+    if (next == t) {
+      return t;
+    }
+    t = next;
+  }
+  return t;
+}
+
+/// The same by Halley's steps from a start between the bounds. It ends, too, where the next step
+/// would be below a quarter of a unit, steps going down as they do.
+template <RoundedNumber Number>
+Number halley_root(const Polynomial<Number>& p, Number low, Number high, bool rising, Number t) {
   using std::abs;
   const Number quarter_unit = number::unit_roundoff<Number>() / 2;  // of a number, at most
   Number limit = high - low;
