@@ -146,13 +146,13 @@ Coefficients scaled(Coefficients c, int exponent) {
   return c;
 }
 
+// Up to twice the distance of what the ray is aimed at: directions have length one.
 Problem ray_problem(const surface::LocalSurface& surface, const geometry::ExactRay& ray,
-                    bool recentred) {
+                    double distance, bool recentred) {
   const number::IntegerPolynomial p = surface::RayMonomials(ray).restrict(
       surface::carrier_of(surface, geometry::AffineMap()).carrier);
-  // Rays are drawn as from a point towards another, which is at t = 1.
   return {Coefficients(p.coefficients().begin(), p.coefficients().end()),
-          {Rational(0), Rational(2)},
+          {Rational(0), Rational(2 * distance)},
           [surface, ray, recentred](const std::string& number) {
             return holder(number).along_ray(surface, ray, recentred);
           }};
@@ -177,17 +177,20 @@ void add_ray_families(std::vector<PolynomialFamily>& all) {
       for (const double distance : {3.0, 1e3, 1e6}) {
         all.push_back({name + form, fmt::format("from {:g}", distance), degree,
                        [surface, is_ring, distance, recentred](SeededStream& stream) {
-                         return ray_problem(surface, ray_at(is_ring ? 1.25 : 1, distance, stream),
+                         const double radius = is_ring ? 1.25 : 1;
+                         return ray_problem(surface, ray_at(radius, distance, stream), distance,
                                             recentred);
                        }});
       }
       for (const int k : {6, 10, 14}) {
-        const Aim aim = grazing_aim(is_ring ? "ring" : "ball", k, 3);
+        constexpr double kDistance = 3;
+        const Aim aim = grazing_aim(is_ring ? "ring" : "ball", k, kDistance);
         all.push_back({name + form, fmt::format("grazing 1e-{}", k), degree,
                        [surface, aim, recentred](SeededStream& stream) {
                          const scene::FamilyMember in_place{
                              {}, {}, [](const geometry::Vector3<double>& p) { return p; }};
-                         return ray_problem(surface, aim.draw(in_place, {}, stream), recentred);
+                         return ray_problem(surface, aim.draw(in_place, {}, stream), kDistance,
+                                            recentred);
                        }});
       }
     }

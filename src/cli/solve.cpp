@@ -7,6 +7,7 @@
 
 #include "base/contract.hpp"
 #include "base/text.hpp"
+#include "census/solver_census.hpp"
 #include "cli/commands.hpp"
 #include "cli/registry.hpp"
 #include "poly/solution.hpp"
@@ -176,19 +177,20 @@ std::string repeated(int multiplicity) {
   return multiplicity > 1 ? fmt::format(" ({} times)", multiplicity) : "";
 }
 
-// Against the exact roots: how many there are, or how far off they are.
+// Against the exact roots, each as often as it is multiple: how many there are, or how far off.
 std::string compared(const Result& result, const std::vector<number::Root>& roots) {
   if (result.solution.outcome != poly::Outcome::Found) {
     return spelled(result.solution.outcome);
   }
-  const auto& found = result.solution.roots;
-  if (found.size() != roots.size()) {
-    return fmt::format("{} of {} roots", found.size(), roots.size());
-  }
-  const auto exact = poly::known(roots, result.significand_bits);
+  census::RootCounts counts;
   double worst = 0;
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    worst = std::max(worst, poly::error_ulps(found[i].t, exact[i]));
+  const auto exact = poly::known(roots, result.significand_bits);
+  for (const census::RootPair& pair : judge(result.solution, exact, counts)) {
+    worst = std::max(worst, pair.ulps);
+  }
+  if (counts.wrong_count > 0) {
+    return counts.missed > 0 ? fmt::format("{} missed", counts.missed)
+                             : fmt::format("{} too many", counts.spurious);
   }
   return roots.empty() ? "none, right" : fmt::format("{:.3g} ulp", worst);
 }
@@ -223,8 +225,10 @@ std::string text(const Polynomial& p, const std::vector<number::Root>& roots,
       values.push_back(
           fmt::format("{}{}", number::nearest_double(root.t), repeated(root.multiplicity)));
     }
-    out += fmt::format("{:<18} {:<11} {:<18} {}\n", result.solver, result.number,
-                       compared(result, roots), fmt::join(values, "  "));
+    std::string line = fmt::format("{:<18} {:<11} {:<18} {}", result.solver, result.number,
+                                   compared(result, roots), fmt::join(values, "  "));
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\n";
   }
   return out;
 }
