@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -107,17 +108,15 @@ TYPED_TEST(RealRootsTest, KeepsToTheRange) {
 TYPED_TEST(RealRootsTest, NeverBreaksItsPromises) {
   using Number = TypeParam;
   using Limits = std::numeric_limits<Number>;
-  const std::vector<Number> values{0,
-                                   1,
-                                   -1,
-                                   Number(3) / 7,
-                                   Limits::max(),
-                                   -Limits::max(),
-                                   (Limits::min)(),
-                                   -(Limits::min)(),
-                                   Limits::epsilon()};
+  using std::ldexp;
+  // The exponents of software floats go to 2^31, which no exact number should have.
+  const int exponent = static_cast<int>(std::min<long>(Limits::max_exponent - 1, 1022));
+  const Number huge = ldexp(Number(2 - Limits::epsilon()), exponent);
+  const Number tiny = ldexp(Number(1), -exponent);
+  const std::vector<Number> values{0,     1,    -1,    Number(3) / 7,    huge,
+                                   -huge, tiny, -tiny, Limits::epsilon()};
   const std::vector<Range<Number>> ranges{
-      {}, {Number(0), Number(1)}, {Number(-1), Limits::max()}, {Number(1), Number(1)}};
+      {}, {Number(0), Number(1)}, {Number(-1), huge}, {Number(1), Number(1)}};
   std::uint64_t solved = 0;
   for (std::size_t first = 0; first < values.size(); ++first) {
     for (std::size_t step = 0; step < values.size(); ++step) {
