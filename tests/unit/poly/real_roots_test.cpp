@@ -127,6 +127,9 @@ TYPED_TEST(RealRootsTest, NeverBreaksItsPromises) {
         }
         const Range<Number>& range = ranges[(first + step) % ranges.size()];
         this->for_each(degree, [&](Solver solver) {
+          if (solver == Solver::Exact && (first + step) % 8 != 0) {
+            return;  // it takes most of the time, and has tests of its own
+          }
           const auto roots = this->solve(c, solver, range);
           ASSERT_LE(roots.count, degree);
           for (int i = 0; i < roots.count; ++i) {
