@@ -50,7 +50,8 @@ std::vector<Series> series(const Settings& settings) {
         Series one = family_series({subject.label, subject.aim.name, form, name}, subject.family,
                                    subject.aim, rays, settings);
         one.plan.solvers.quartic = solver;
-        one.plan.solvers.recentred = form == forms.back();
+        one.plan.solvers.recentring =
+            form == forms.back() ? poly::Recentring::Tori : poly::Recentring::None;
         all.push_back(std::move(one));
       }
     }
@@ -64,7 +65,7 @@ std::vector<report::Table> tables(const Experiment& experiment,
   std::vector<report::LabelledCensus> replayed = counted;
   for (report::LabelledCensus& row : replayed) {
     const bool recentred = std::get<std::string>(row.labels[2]) == "recentred";
-    row.options += fmt::format("{} --solver {}", recentred ? " --recentred" : "",
+    row.options += fmt::format(" --recentred {} --solver {}", recentred ? "tori" : "none",
                                std::get<std::string>(row.labels.back()));
   }
   return {artifact_table(experiment, replayed)};

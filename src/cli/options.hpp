@@ -35,14 +35,17 @@ struct SceneOptions {
 
 struct SolverOptions {
   std::string names;
-  bool recentred = false;
+  std::string recentred{poly::name_of(poly::Solvers().recentring)};
 
   void add_to(CLI::App& command) {
     command.add_option("--solver", names,
                        "root finders of quadrics and tori, separated by commas, in place of the "
                        "default ones (lamina list solvers)");
-    command.add_flag("--recentred", recentred,
-                     "solve for rays from afar at a torus from their point nearest to its centre");
+    command
+        .add_option("--recentred", recentred,
+                    "whose rays are solved for from their point nearest to the surface's centre: "
+                    "none, tori (from afar), all (quadrics too)")
+        ->capture_default_str();
   }
   /// Those named, in their order; none by default.
   [[nodiscard]] std::vector<poly::Solver> list() const {
@@ -50,7 +53,7 @@ struct SolverOptions {
   }
   [[nodiscard]] poly::Solvers solvers() const {
     poly::Solvers solvers = names.empty() ? poly::Solvers() : parse_solvers(names);
-    solvers.recentred = recentred;
+    solvers.recentring = poly::parse_recentring(recentred);
     return solvers;
   }
 };
@@ -58,7 +61,9 @@ struct SolverOptions {
 /// What `lamina explain` needs besides scene and ray to see what these options made of them:
 /// those that are not the defaults, each behind a blank.
 inline std::string replay_options(const scene::ReadOptions& read, const SolverOptions& solvers) {
-  return std::string(read.facets ? " --facets" : "") + (solvers.recentred ? " --recentred" : "") +
+  const bool as_ever = solvers.recentred == SolverOptions().recentred;
+  return std::string(read.facets ? " --facets" : "") +
+         (as_ever ? std::string() : " --recentred " + solvers.recentred) +
          (solvers.names.empty() ? std::string() : " --solver " + solvers.names);
 }
 

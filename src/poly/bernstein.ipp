@@ -33,7 +33,15 @@ class BernsteinSearch {
 
   // Is there none for certain? A first coefficient that has underflowed says nothing.
   [[nodiscard]] bool finds_none() const {
-    return whole_.b[0] != 0 && whole_.b[n_] != 0 && sign_changes(whole_.b) == 0;
+    return whole_.b[0] != 0 && whole_.b[n_] != 0 && sign_changes(negatives(whole_.b)) == 0;
+  }
+
+  // Is no root but zero nearer to zero than 2^-widest_range() of the length? Says no where it takes
+  // more than a glance to see.
+  [[nodiscard]] bool has_no_root_near_zero() const {
+    using std::abs;
+    using std::ldexp;
+    return abs(local_[0]) >= ldexp(Number(2), -widest_range()) * most_;
   }
 
   // No coefficient underflows beside the others, if no root but zero is nearer to zero than 2^-this
@@ -64,6 +72,10 @@ class BernsteinSearch {
     if (sign_at_end == 0) {
       roots_.add(length_, leading_zeros(b.rbegin(), b.rend()));
     }
+    halley_roots<n_>(p_, std::span(brackets_).first(brackets_count_));
+    for (int i = 0; i < brackets_count_; ++i) {
+      roots_.add(brackets_[i].t, multiplicities_[i]);
+    }
   }
 
  private:
@@ -91,16 +103,17 @@ class BernsteinSearch {
     using std::frexp;
     using std::ldexp;
     Number power = 1;
-    Number most = 0;
+    most_ = 0;
     for (int i = 0; i <= n_; ++i) {
       local_[i] = p_.c[i] * power;
       power = power * length_;
-      most = std::max(most, Number(abs(local_[i])));
+      most_ = std::max(most_, Number(abs(local_[i])));
     }
     const Number small = ldexp(Number(1), std::numeric_limits<Number>::min_exponent / 2);
-    if (most > small && most < 1 / small) {
+    if (most_ > small && most_ < 1 / small) {
       return;
     }
+    most_ = 1;
     int length_exponent = 0;
     const Number length_fraction = frexp(length_, &length_exponent);
     std::array<int, n_ + 1> exponents{};
@@ -119,25 +132,29 @@ class BernsteinSearch {
     }
   }
 
-  static int sign_changes(const Coefficients& b) {
-    unsigned negative = 0;  // a bit for each
+  // A bit for each negative coefficient; zeros take the sign of the one before them, those in front
+  // that of the first which is not zero.
+  static unsigned negatives(const Coefficients& b) {
+    unsigned negative = 0;
     unsigned zero = 0;
     for (int j = 0; j <= n_; ++j) {
       negative |= static_cast<unsigned>(b[j] < 0) << j;
       zero |= static_cast<unsigned>(b[j] == 0) << j;
     }
     if (zero == 0) {
-      constexpr unsigned kNeighbours = (1U << n_) - 1;
-      return std::popcount((negative ^ (negative >> 1)) & kNeighbours);
+      return negative;
     }
-    int changes = 0;
-    int last = 0;
-    for (int j = 0; j <= n_; ++j) {
-      const int sign = sign_of(b[j]);
-      changes += sign * last < 0 ? 1 : 0;
-      last = sign != 0 ? sign : last;
+    const int first = leading_zeros(b.begin(), b.end());
+    for (int j = first + 1; j <= n_; ++j) {
+      negative |= ((zero >> j) & (negative >> (j - 1)) & 1U) << j;
     }
-    return changes;
+    return first <= n_ && b[first] < 0 ? negative | ((1U << first) - 1) : negative;
+  }
+
+  // A bit for each j where the coefficients j and j + 1 differ in sign.
+  static unsigned sign_changes(unsigned negative) {
+    constexpr unsigned kNeighbours = (1U << n_) - 1;
+    return (negative ^ (negative >> 1)) & kNeighbours;
   }
 
   template <typename Iterator>
@@ -188,12 +205,13 @@ class BernsteinSearch {
 
   // From left to right, without the ends.
   void search(Piece& piece, int halvings_left) {
-    const int changes = sign_changes(piece.b);
+    const unsigned negative = negatives(piece.b);
+    const unsigned changes = sign_changes(negative);
     if (changes == 0) {
-      pass(piece.b);
-    } else if (changes == 1) {
-      add_simple(piece);
-      pass(piece.b);
+      pass(negative);
+    } else if ((changes & (changes - 1)) == 0) {
+      add_simple(piece, std::countr_zero(changes), (negative & 1U) != 0);
+      pass(negative);
     } else if (halvings_left == 0 || (most_halvings() - halvings_left > kHalvingsWithoutDoubt &&
                                       is_lost_in_rounding(piece))) {
       if (!in_cluster_) {
@@ -210,17 +228,9 @@ class BernsteinSearch {
   }
 
   // An interval with certain signs ends a cluster, and tells the sign before the next.
-  void pass(const Coefficients& b) {
-    int first = 0;
-    while (first < n_ && b[first] == 0) {
-      ++first;
-    }
-    int last = n_;
-    while (last > 0 && b[last] == 0) {
-      --last;
-    }
-    close_cluster(sign_of(b[first]));
-    sign_before_ = sign_of(b[last]);
+  void pass(unsigned negative) {
+    close_cluster((negative & 1U) != 0 ? -1 : 1);
+    sign_before_ = (negative >> n_ & 1U) != 0 ? -1 : 1;
   }
 
   // The coefficients are weighted sums of the c_i u^i, off by 2 n u times the sum of |c_i u^i| from
@@ -237,31 +247,22 @@ class BernsteinSearch {
                        [&](const Number& b) { return abs(b) <= rounding; });
   }
 
-  void add_simple(const Piece& piece) {
-    // Where the control polygon crosses zero.
-    int before = 0;
-    while (piece.b[before] == 0) {
-      ++before;
-    }
-    const bool rising = piece.b[before] < 0;
-    int after = before;
-    while (rising ? piece.b[after] <= 0 : piece.b[after] >= 0) {
-      before = piece.b[after] != 0 ? after : before;
-      ++after;
-    }
-    const Number part = piece.b[before] / (piece.b[before] - piece.b[after]);
-    const Number u = (Number(before) + Number(after - before) * part) / Number(n_);
+  // From where the control polygon crosses zero, between the coefficients j and j + 1.
+  void add_simple(const Piece& piece, int j, bool rising) {
+    const Number part = piece.b[j] / (piece.b[j] - piece.b[j + 1]);
+    const Number u = (Number(j) + part) / Number(n_);
     add_bracketed(piece.low, piece.high, piece.low + (piece.high - piece.low) * u, rising, 1);
   }
 
-  // The sign change of p between two u, rising with u.
+  // The sign change of p between two u, rising with u: left to the end, when all are searched.
   void add_bracketed(const Number& low, const Number& high, const Number& start, bool rising,
                      int multiplicity) {
-    const Number a = length_ * low;
-    const Number b = length_ * high;
-    const Number t = length_ * start;
-    roots_.add(length_ > 0 ? halley_root(p_, a, b, rising, t) : halley_root(p_, b, a, !rising, t),
-               multiplicity);
+    const Number near = length_ * low;
+    const Number far = length_ * high;
+    const bool forward = length_ > 0;
+    multiplicities_[brackets_count_] = multiplicity;
+    brackets_[brackets_count_++] = {forward ? near : far, forward ? far : near, length_ * start,
+                                    forward == rising};
   }
 
   void close_cluster(int sign_after) {
@@ -298,11 +299,15 @@ class BernsteinSearch {
   Number length_;
   RealRoots<Number>& roots_;
   Coefficients local_;
+  Number most_;  // no coefficient is greater in magnitude
   Piece whole_;
   int sign_before_ = 0;  // of what was passed last
   bool in_cluster_ = false;
   Number cluster_low_;  // in u
   Number cluster_high_;
+  std::array<Bracket<Number>, n_> brackets_;
+  std::array<int, n_> multiplicities_;
+  int brackets_count_ = 0;
 };
 
 }  // namespace detail
@@ -318,7 +323,12 @@ void bernstein_search_one_side(const Polynomial<Number>& p, const Number& near, 
   if (search.finds_none()) {
     return;
   }
-  const std::int64_t least = near == 0 ? least_root_exponent(p) : exponent_of(near);
+  std::int64_t least = exponent_of(far) - search.widest_range();
+  if (near != 0) {
+    least = exponent_of(near);
+  } else if (!search.has_no_root_near_zero()) {
+    least = least_root_exponent(p);
+  }
   const std::int64_t gap = exponent_of(far) - least;
   if (gap <= search.widest_range() || cuts_left == 0) {
     search.run(Number(near / far), included);
@@ -355,6 +365,9 @@ void bernstein_search(const Polynomial<Number>& p, const Number& low, const Numb
 template <RoundedNumber Number>
 RealRoots<Number> bernstein_roots(const Polynomial<Number>& p, const Range<Number>& range) {
   using std::abs;
+  if (is_tiny(p)) {
+    return bernstein_roots(in_units_of_power_of_two(p, 0), range);
+  }
   RealRoots<Number> roots;
   Number low = range.low;
   Number high = range.high;

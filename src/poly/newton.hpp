@@ -1,6 +1,9 @@
 // Newton's and Halley's method between bounds.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "poly/polynomial.hpp"
 
 namespace lamina::poly {
@@ -37,47 +40,76 @@ Number newton_root(const Polynomial<Number>& p, const Polynomial<Number>& slope,
   return t;
 }
 
-/// The same by Halley's steps from a start between the bounds. It ends, too, where the next step
-/// would be below a quarter of a unit, steps going down as they do.
+/// A root that is being searched for, between two numbers.
 template <RoundedNumber Number>
-Number halley_root(const Polynomial<Number>& p, Number low, Number high, bool rising, Number t) {
+struct Bracket {
+  Number low;  ///< the polynomial changes its sign once from here to high
+  Number high;
+  Number t;     ///< the best so far
+  bool rising;  ///< to positive at high
+};
+
+/// Moves each t from its start between the bounds to the root: Halley's steps, or halving where a
+/// step leaves the bounds or does not halve the one before. It ends where a step changes nothing,
+/// or the next one would be below a quarter of a unit, steps going down as they do. All roots go
+/// on at the same time, as each alone waits for its own arithmetic most of the time.
+///
+/// Contract: the degree of p is kDegree.
+template <int kDegree, RoundedNumber Number>
+void halley_roots(const Polynomial<Number>& p, std::span<Bracket<Number>> brackets) {
   using std::abs;
   const Number quarter_unit = number::unit_roundoff<Number>() / 2;  // of a number, at most
-  Number limit = high - low;
-  Number last_step = 0;  // of Halley's, directly before
-  while (low < t && t < high) {
-    const TaylorAt<Number> at = taylor_at(p, t);
-    if (at.value == 0) {
-      return t;
-    }
-    ((at.value > 0) == rising ? high : low) = t;
-    const Number newton = at.value / at.slope;
-    const Number bend = newton * (at.half_bend / at.slope);
-    // Of no use where the parabola is far from the line.
-    const Number step =
-        bend < Number(0.5) && bend > Number(-0.5) ? Number(newton / (1 - bend)) : newton;
-    const Number size = abs(step);
-    Number next = t - step;
-    if (next == t) {
-      return t;
-    }
-    if (!(low < next && next < high) || !(size <= limit / 2)) {
-      next = low + (high - low) / 2;
-      limit = high - low;
-      last_step = 0;
-    } else {
-      // Each step is about a constant times the cube of the one before.
-      if (last_step != 0) {
-        const Number shrunk = size / last_step;
-        if (size * shrunk * shrunk * shrunk <= quarter_unit * abs(next)) {
-          return next;
-        }
-      }
-      limit = last_step = size;
-    }
-    t = next;
+  std::array<Number, kDegree> limits;
+  std::array<Number, kDegree> last_steps;  // of Halley's, directly before
+  std::array<int, kDegree> active;
+  int left = 0;
+  for (std::size_t i = 0; i < brackets.size(); ++i) {
+    limits[i] = brackets[i].high - brackets[i].low;
+    last_steps[i] = 0;
+    active[left++] = static_cast<int>(i);
   }
-  return t;
+  while (left > 0) {
+    int still = 0;
+    for (int k = 0; k < left; ++k) {
+      const int i = active[k];
+      Bracket<Number>& bracket = brackets[i];
+      const Number t = bracket.t;
+      const TaylorAt<Number> at = taylor_at<kDegree>(p, t);
+      if (at.value == 0) {
+        continue;
+      }
+      const bool below = (at.value > 0) != bracket.rising;
+      bracket.low = below ? t : bracket.low;
+      bracket.high = below ? bracket.high : t;
+      const Number newton = at.value / at.slope;
+      const Number bend = newton * (at.half_bend / at.slope);
+      // Of no use where the parabola is far from the line.
+      const Number step =
+          bend < Number(0.5) && bend > Number(-0.5) ? Number(newton / (1 - bend)) : newton;
+      const Number size = abs(step);
+      Number next = t - step;
+      if (next == t) {
+        continue;
+      }
+      bool done = false;
+      if (!(bracket.low < next && next < bracket.high) || !(size <= limits[i] / 2)) {
+        next = bracket.low + (bracket.high - bracket.low) / 2;
+        limits[i] = bracket.high - bracket.low;
+        last_steps[i] = 0;
+        done = !(bracket.low < next && next < bracket.high);
+      } else {
+        // Each step is about a constant times the cube of the one before.
+        const Number shrunk = size / last_steps[i];  // infinite the first time
+        done = size * shrunk * shrunk * shrunk <= quarter_unit * abs(next);
+        limits[i] = last_steps[i] = size;
+      }
+      bracket.t = next;
+      if (!done) {
+        active[still++] = i;
+      }
+    }
+    left = still;
+  }
 }
 
 }  // namespace lamina::poly

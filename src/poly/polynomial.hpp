@@ -68,11 +68,11 @@ struct TaylorAt {
   Number half_bend;  ///< p''(t) / 2
 };
 
-/// Returns p(t), p'(t) and p''(t) / 2 by Horner's rule.
-template <RoundedNumber Number>
+/// Returns p(t), p'(t) and p''(t) / 2 by Horner's rule. Contract: the degree of p is kDegree.
+template <int kDegree, RoundedNumber Number>
 TaylorAt<Number> taylor_at(const Polynomial<Number>& p, const Number& t) {
-  TaylorAt<Number> at{p.c[p.degree], Number(0), Number(0)};
-  for (int i = p.degree - 1; i >= 0; --i) {
+  TaylorAt<Number> at{p.c[kDegree], Number(0), Number(0)};
+  for (int i = kDegree - 1; i >= 0; --i) {
     at.half_bend = at.half_bend * t + at.slope;
     at.slope = at.slope * t + at.value;
     at.value = at.value * t + p.c[i];

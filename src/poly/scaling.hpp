@@ -31,6 +31,16 @@ Number times_power_of_two(const Number& x, std::int64_t e) {
   return ldexp(x, static_cast<int>(std::clamp(e, -kMost, kMost)));
 }
 
+/// Are all coefficients so small that values of p may round as subnormal numbers do?
+template <RoundedNumber Number>
+bool is_tiny(const Polynomial<Number>& p) {
+  using std::abs;
+  using std::ldexp;
+  const Number small = ldexp(Number(1), std::numeric_limits<Number>::min_exponent / 2);
+  return std::all_of(p.c.begin(), p.c.begin() + p.degree + 1,
+                     [&small](const Number& c) { return abs(c) < small; });
+}
+
 /// Returns p(2^exponent s) as a polynomial in s, times the power of two that brings its greatest
 /// coefficient near 1. Others may underflow.
 template <RoundedNumber Number>

@@ -44,8 +44,15 @@ constexpr std::array<SolverInfo, 17> kSolvers{{
 std::span<const SolverInfo> all_solvers() { return kSolvers; }
 
 const SolverInfo& solver_info(Solver solver) {
-  return *std::find_if(kSolvers.begin(), kSolvers.end(),
-                       [solver](const SolverInfo& info) { return info.solver == solver; });
+  static_assert([] {
+    for (std::size_t i = 0; i < kSolvers.size(); ++i) {
+      if (kSolvers[i].solver != static_cast<Solver>(i)) {
+        return false;
+      }
+    }
+    return true;
+  }());
+  return kSolvers[static_cast<std::size_t>(solver)];
 }
 
 Solver parse_solver(std::string_view name) {
@@ -64,6 +71,26 @@ bool fits(Solver solver, int degree) {
   return info.least_degree <= degree && degree <= info.most_degree;
 }
 
-Solver default_solver(int degree) { return degree == 2 ? Solver::Kahan : Solver::Monotone; }
+Recentring parse_recentring(std::string_view name) {
+  for (const Recentring recentring : {Recentring::None, Recentring::Tori, Recentring::All}) {
+    if (name_of(recentring) == name) {
+      return recentring;
+    }
+  }
+  throw base::InputError(
+      fmt::format("unknown rays to recentre '{}': one of none, tori, all", name));
+}
+
+std::string_view name_of(Recentring recentring) {
+  switch (recentring) {
+    case Recentring::None:
+      return "none";
+    case Recentring::Tori:
+      return "tori";
+    case Recentring::All:
+      return "all";
+  }
+  return {};
+}
 
 }  // namespace lamina::poly

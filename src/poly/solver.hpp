@@ -54,14 +54,28 @@ constexpr bool is_quadratic_formula(Solver solver) {
 bool fits(Solver solver, int degree);
 
 /// The one to take for polynomials of this degree, chosen from the table of
-/// experiments/solver-accuracy. Contract: degree >= 2.
-Solver default_solver(int degree);
+/// experiments/solver-accuracy: README.md there says why. Contract: degree >= 2.
+constexpr Solver default_solver(int degree) {
+  return degree == 2 ? Solver::Kahan : Solver::Bernstein;
+}
+
+/// Which rays' polynomials are set up at the ray's point that is nearest to the surface's own
+/// origin, not where the ray starts.
+enum class Recentring : std::uint8_t {
+  None,
+  Tori,  ///< of rays from farther than a torus' outer diameter
+  All,   ///< of these, and of all rays at quadrics
+};
+
+/// Throws base::InputError that lists them.
+Recentring parse_recentring(std::string_view name);
+std::string_view name_of(Recentring recentring);
 
 /// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial.
 struct Solvers {
-  Solver quadratic = Solver::Kahan;
-  Solver quartic = Solver::Monotone;
-  bool recentred = false;  ///< rays from afar at a torus, at their point nearest to its centre
+  Solver quadratic = default_solver(2);
+  Solver quartic = default_solver(4);
+  Recentring recentring = Recentring::Tori;
   RootFault fault{};
 };
 

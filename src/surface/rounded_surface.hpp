@@ -55,7 +55,8 @@ class RoundedSurface {
 
   /// The polynomial of a ray in local coordinates, as the number type computes it; `recentred` at
   /// the ray's point that is nearest to the local origin, so that no power of its distance from
-  /// there cancels in the coefficients.
+  /// there cancels in the coefficients. Of a sphere its discriminant is then that of Haines et al.
+  /// ("Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019, chapter 7).
   [[nodiscard]] RayPolynomial<Number> polynomial(const geometry::Ray<Number>& local,
                                                  bool recentred) const;
   /// Crossings with a ray in local coordinates; t is the same as in the world. Of a ray that
@@ -78,9 +79,10 @@ class RoundedSurface {
   [[nodiscard]] geometry::Vector3<Number> gradient(const geometry::Vector3<Number>& local) const;
 
  private:
-  /// From a torus: farther than its diameter from its centre, where distances cancel in the
+  /// Of a torus from farther than its diameter from its centre, where distances cancel in the
   /// coefficients of a ray's polynomial; nearer, no term is more than a few times the torus' own.
-  [[nodiscard]] bool is_far(const geometry::Vector3<Number>& local) const;
+  [[nodiscard]] bool is_recentred(const geometry::Vector3<Number>& origin,
+                                  poly::Recentring which) const;
 
   Kind kind_;
   std::array<Number, 10> c_;

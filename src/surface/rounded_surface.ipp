@@ -108,9 +108,13 @@ RayPolynomial<Number> RoundedSurface<Number>::polynomial(const geometry::Ray<Num
 }
 
 template <RoundedNumber Number>
-bool RoundedSurface<Number>::is_far(const geometry::Vector3<Number>& p) const {
-  const Number outer_diameter = 2 * (c_[0] + c_[1]);
-  return dot(p, p) > outer_diameter * outer_diameter;
+bool RoundedSurface<Number>::is_recentred(const geometry::Vector3<Number>& origin,
+                                          poly::Recentring which) const {
+  if (kind_ == Kind::Torus && which != poly::Recentring::None) {
+    const Number outer_diameter = 2 * (c_[0] + c_[1]);
+    return dot(origin, origin) > outer_diameter * outer_diameter;
+  }
+  return kind_ == Kind::Quadric && which == poly::Recentring::All;
 }
 
 template <RoundedNumber Number>
@@ -119,7 +123,7 @@ SurfaceCrossings<Number> RoundedSurface<Number>::crossings(const geometry::Ray<N
                                                            bool starts_on) const {
   const bool is_torus = kind_ == Kind::Torus;
   RayPolynomial<Number> p =
-      polynomial(local, solvers.recentred && is_torus && !starts_on && is_far(local.origin));
+      polynomial(local, !starts_on && is_recentred(local.origin, solvers.recentring));
   std::array<Number, 5>& f = p.c;
   const poly::Solver solver = is_torus ? solvers.quartic : solvers.quadratic;
   SurfaceCrossings<Number> result;
