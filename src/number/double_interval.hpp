@@ -4,7 +4,11 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <cmath>
+#include <limits>
 #include <optional>
+
+#include "number/rational.hpp"
 
 namespace lamina::number {
 
@@ -14,6 +18,16 @@ using DoubleInterval = CGAL::Interval_nt<false>;
 
 /// While one lives, this thread rounds upwards.
 using RoundingUpwards = CGAL::Protect_FPU_rounding<true>;
+
+/// The double that the number is, or its neighbours to either side.
+inline DoubleInterval enclosing(const Rational& x) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double near = nearest_double(x);
+  if (std::isfinite(near) && Rational(near) == x) {
+    return near;
+  }
+  return {std::nextafter(near, -kInfinity), std::nextafter(near, kInfinity)};
+}
 
 /// The sign that all numbers of the interval have, 0 only for the number zero; none if they have
 /// not all the same, or if an end overflowed to NaN.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -18,21 +19,30 @@ namespace {
 
 using number::DoubleInterval;
 
+double middle_of(const DoubleInterval& x) {
+  return std::clamp(x.inf() + (x.sup() - x.inf()) / 2, x.inf(), x.sup());
+}
+
+// c[0] + c[1] t + ... + c[degree] t^degree, each coefficient somewhere in its interval.
+struct IntervalPolynomial {
+  std::array<DoubleInterval, kMostDegree + 1> c;
+  int degree = 0;
+};
+
 // The search for t = length u with 0 < u <= 1; the length may be negative.
 class IntervalSearch {
  public:
-  IntervalSearch(const Polynomial<double>& p, double length, const Range<double>& range,
-                 RealRoots<double>& roots)
-      : p_(p), n_(p.degree), length_(length), range_(range), roots_(roots) {}
+  IntervalSearch(const IntervalPolynomial& p, double length)
+      : p_(p), n_(p.degree), length_(length) {}
 
-  // Adds the roots of the range from the part `start` on; false if something is undecided.
-  // Contract: c_0 is not zero, and this thread rounds upwards.
+  // Finds the roots from the part `start` on, and maybe some before; false if something is
+  // undecided. Contract: this thread rounds upwards.
   bool run(double start) {
     Piece whole{{}, DoubleInterval(0), DoubleInterval(1)};
     Coefficients& b = whole.b;
     DoubleInterval power = 1;
     for (int i = 0; i <= n_; ++i) {
-      b[i] = DoubleInterval(p_.c[i]) * power;
+      b[i] = p_.c[i] * power;
       power *= DoubleInterval(length_);
     }
     for (int level = 1; level <= n_; ++level) {
@@ -47,6 +57,11 @@ class IntervalSearch {
       whole = split(whole, start);
     }
     return is_certain(b[0]) && is_certain(b[n_]) && search(whole, kMostHalvings);
+  }
+
+  // Each in an interval of its own, from the start on.
+  [[nodiscard]] std::span<const DoubleInterval> found() const {
+    return std::span(roots_).first(count_);
   }
 
  private:
@@ -96,7 +111,8 @@ class IntervalSearch {
       return true;
     }
     if (most == 1 && number::sign(piece.b[0]) != number::sign(piece.b[n_])) {
-      return add(piece);
+      add(piece);
+      return true;
     }
     for (const double cut : kCuts) {
       if (halvings_left == 0) {
@@ -111,26 +127,14 @@ class IntervalSearch {
     return false;
   }
 
-  // The one root of the piece, if it is in the range; false if that cannot be told.
-  bool add(const Piece& piece) {
+  // The one root of the piece.
+  void add(const Piece& piece) {
     const DoubleInterval one_end = DoubleInterval(length_) * piece.low;
     const DoubleInterval other_end = DoubleInterval(length_) * piece.high;
     const bool rising = (length_ > 0) == (number::sign(piece.b[n_]) == 1);
-    const DoubleInterval root(narrowed(
+    roots_[count_++] = narrowed(
         {std::min(one_end.inf(), other_end.inf()), std::max(one_end.sup(), other_end.sup())},
-        rising));
-    if (root.sup() < range_.low || range_.high < root.inf()) {
-      return true;
-    }
-    if (root.inf() < range_.low || range_.high < root.sup()) {
-      return false;
-    }
-    roots_.add(middle_of(root), 1);
-    return true;
-  }
-
-  static double middle_of(const DoubleInterval& x) {
-    return std::clamp(x.inf() + (x.sup() - x.inf()) / 2, x.inf(), x.sup());
+        rising);
   }
 
   // What remains of an interval with one root in it after interval Newton steps, and halving
@@ -166,19 +170,19 @@ class IntervalSearch {
     DoubleInterval slope;
   };
   [[nodiscard]] At at(const DoubleInterval& t) const {
-    At sum{DoubleInterval(p_.c[n_]), DoubleInterval(0)};
+    At sum{p_.c[n_], DoubleInterval(0)};
     for (int i = n_ - 1; i >= 0; --i) {
       sum.slope = sum.slope * t + sum.value;
-      sum.value = sum.value * t + DoubleInterval(p_.c[i]);
+      sum.value = sum.value * t + p_.c[i];
     }
     return sum;
   }
 
-  const Polynomial<double>& p_;
+  const IntervalPolynomial& p_;
   int n_;
   double length_;
-  Range<double> range_;
-  RealRoots<double>& roots_;
+  std::array<DoubleInterval, kMostDegree> roots_;
+  int count_ = 0;
 };
 
 // p without its roots at zero, which are certain.
@@ -204,18 +208,34 @@ RealRoots<double> by_double_intervals(const Polynomial<double>& given, Range<dou
   const double bound = 2 * root_bound(p);  // no root is as large
   range.low = std::max(range.low, -bound);
   range.high = std::min(range.high, bound);
+  if (!(range.low <= range.high)) {
+    return roots;
+  }
   const number::RoundingUpwards upwards;
-  // The parts are rounded down, so that the search starts at or before the range does.
-  const auto part = [](double near, double far) {
-    return near / far > 0 ? std::nextafter(near / far, 0) : 0;
+  IntervalPolynomial intervals;
+  intervals.degree = p.degree;
+  std::copy_n(p.c.begin(), p.degree + 1, intervals.c.begin());
+  // Adds the roots of the range from near to far; false if something is undecided.
+  const auto add_side = [&](double near, double far) {
+    // The part is rounded down, so that the search starts at or before the range does.
+    const double part = near / far > 0 ? std::nextafter(near / far, 0) : 0;
+    IntervalSearch search(intervals, far);
+    if (!search.run(part)) {
+      return false;
+    }
+    for (const DoubleInterval& root : search.found()) {
+      if (root.sup() < range.low || range.high < root.inf()) {
+        continue;
+      }
+      if (root.inf() < range.low || range.high < root.sup()) {
+        return false;
+      }
+      roots.add(middle_of(root), 1);
+    }
+    return true;
   };
-  const bool decided =
-      !(range.low <= range.high) ||
-      ((range.low >= 0 || IntervalSearch(p, range.low, range, roots)
-                              .run(range.high < 0 ? part(range.high, range.low) : 0)) &&
-       (range.high <= 0 || IntervalSearch(p, range.high, range, roots)
-                               .run(range.low > 0 ? part(range.low, range.high) : 0)));
-  if (!decided) {
+  if ((range.low < 0 && !add_side(std::min(range.high, 0.0), range.low)) ||
+      (range.high > 0 && !add_side(std::max(range.low, 0.0), range.high))) {
     roots.count = 0;
     roots.outcome = Outcome::Undecided;
   }
@@ -299,6 +319,24 @@ RealRoots<Number> certified_real_roots(const Polynomial<Number>& p, const Range<
   } else {
     return by_many_bits(p, range);
   }
+}
+
+CertifiedRoots certified_roots(std::span<const Bounds> ascending, double high) {
+  const number::RoundingUpwards upwards;
+  IntervalPolynomial p;
+  p.degree = static_cast<int>(ascending.size()) - 1;
+  std::transform(ascending.begin(), ascending.end(), p.c.begin(),
+                 [](const Bounds& c) { return DoubleInterval(c.low, c.high); });
+  IntervalSearch search(p, high);
+  CertifiedRoots roots;
+  if (!search.run(0)) {
+    roots.outcome = Outcome::Undecided;
+    return roots;
+  }
+  for (const DoubleInterval& root : search.found()) {
+    roots.t[roots.count++] = {root.inf(), root.sup()};
+  }
+  return roots;
 }
 
 #define LAMINA_INSTANTIATE(Number)                                                   \

@@ -19,4 +19,23 @@ namespace lamina::poly {
 template <RoundedNumber Number>
 RealRoots<Number> certified_real_roots(const Polynomial<Number>& p, const Range<Number>& range);
 
+/// Some number from low to high.
+struct Bounds {
+  double low = 0;
+  double high = 0;
+};
+
+/// Simple roots for certain, ascending, each alone between its bounds.
+struct CertifiedRoots {
+  std::array<Bounds, kMostDegree> t;
+  int count = 0;
+  Outcome outcome = Outcome::Found;  ///< or Undecided; none are listed then
+};
+
+/// Returns the roots in 0 < t <= high of c_0 + c_1 t + ..., whichever numbers between their bounds
+/// the coefficients are: by the same search, which gives up where these bounds cannot tell.
+///
+/// Contract: 2 to kMostDegree + 1 coefficients; high is positive and finite.
+CertifiedRoots certified_roots(std::span<const Bounds> ascending, double high);
+
 }  // namespace lamina::poly

@@ -235,7 +235,9 @@ TEST(ClassifyTest, EnteringWhereInsideIsRejected) {
   constexpr std::uint64_t kCases = 4000;
   support::ClassTally reached{"rejected", "accepted", "toggled"};
   const scene::Scene scene = support::scene_of("material(\"a\") torus(2, 1);");
-  const auto tracer = make_tracer<number::bin<11>>(scene, {});
+  const poly::Solvers as_given{.quartic = poly::Solver::Monotone,
+                               .recentring = poly::Recentring::None};
+  const auto tracer = make_tracer<number::bin<11>>(scene, as_given);
   for (std::uint64_t case_id = 0; case_id < kCases; ++case_id) {
     base::SeededStream stream("method/classify", 1, case_id);
     SCOPED_TRACE(case_id);

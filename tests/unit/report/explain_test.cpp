@@ -256,7 +256,7 @@ TEST(ExplainTest, ATThatOverflows) {
 }
 
 TEST(ExplainTest, TheNormalsSense) {
-  const scene::Scene scene = scene_of("torus(R=2, r=1);");
+  const scene::Scene scene = scene_of("torus(R=2, r=1/32);");
   const auto ray = find_ray<number::bin<11>>(scene, rays_at(scene, 0, 2000), "wyvill-trotman",
                                              Divergence::Cause::WrongSense, Artifact::Inconsistent);
   ASSERT_TRUE(ray);
