@@ -2,6 +2,7 @@
 #include "experiments/benchmarks/solver_benchmarks.hpp"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,9 @@
 #include "base/seeded_stream.hpp"
 #include "experiments/benchmarks/allocation_counter.hpp"
 #include "poly/solution.hpp"
+#include "scene/rays.hpp"
+#include "surface/certified_surface.hpp"
+#include "surface/rounded_surface.hpp"
 
 namespace lamina {
 namespace {
@@ -105,6 +109,60 @@ void solve(benchmark::State& state, poly::Solver solver, Draw draw, int n) {
   state.counters["backward_u"] = backward;
 }
 
+// Rays from 3 away at random points of the ball that bounds the solid.
+std::vector<geometry::Ray<double>> rays_at(double bounding_radius) {
+  std::vector<geometry::Ray<double>> all;
+  for (std::size_t i = 0; i < kPolynomials; ++i) {
+    base::SeededStream stream("benchmark/rays", 1, i);
+    const auto target =
+        bounding_radius * std::cbrt(stream.unit()) * scene::random_direction(stream);
+    const auto ray =
+        scene::ray_from(target + 3.0 * scene::random_direction(stream), target, scene::Held::Float);
+    all.push_back({nearest_double(ray.origin), nearest_double(ray.direction)});
+  }
+  return all;
+}
+
+// One call of `crossings` a ray, by its number of roots.
+template <typename Crossings>
+void cross(benchmark::State& state, double bounding_radius, const Crossings& crossings) {
+  const auto rays = rays_at(bounding_radius);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(crossings(rays[i++ % kPolynomials]));
+  }
+}
+
+void register_surfaces() {
+  struct Solid {
+    const char* name;
+    surface::LocalSurface surface;
+    double bounding_radius;
+  };
+  for (const Solid& solid : {Solid{"sphere", surface::sphere(1), 1},
+                             Solid{"torus", surface::torus(1, Rational(1, 4)), 1.25}}) {
+    for (const auto recentring : {poly::Recentring::None, poly::Recentring::All}) {
+      const std::string name =
+          fmt::format("cross/{}/{}", solid.name,
+                      recentring == poly::Recentring::None ? "as_given" : "recentred");
+      benchmark::RegisterBenchmark(name.c_str(), [solid, recentring](benchmark::State& state) {
+        const surface::RoundedSurface<double> rounded(solid.surface);
+        const poly::Solvers solvers{.recentring = recentring};
+        cross(state, solid.bounding_radius, [&](const geometry::Ray<double>& ray) {
+          return rounded.crossings(ray, solvers).roots.count;
+        });
+      });
+    }
+    benchmark::RegisterBenchmark(
+        fmt::format("cross/{}/certified", solid.name).c_str(), [solid](benchmark::State& state) {
+          const surface::CertifiedSurface certified(solid.surface, geometry::AffineMap());
+          cross(state, solid.bounding_radius, [&](const geometry::Ray<double>& ray) {
+            return certified.crossings(ray, {0, 6}).count;
+          });
+        });
+  }
+}
+
 }  // namespace
 
 namespace benchmarks {
@@ -131,6 +189,7 @@ void register_solvers() {
       });
     }
   }
+  register_surfaces();
 }
 
 }  // namespace benchmarks

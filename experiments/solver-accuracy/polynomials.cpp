@@ -11,6 +11,8 @@
 #include "scene/families.hpp"
 #include "scene/rays.hpp"
 #include "surface/carrier.hpp"
+#include "surface/certified_surface.hpp"
+#include "surface/ray_sphere.hpp"
 #include "surface/rounded_surface.hpp"
 
 namespace lamina::experiments {
@@ -57,24 +59,58 @@ std::optional<HeldPolynomial> along_ray(const surface::LocalSurface& surface,
   return held;
 }
 
+// Of the unit sphere.
+template <number::RoundedNumber Number>
+poly::Solution on_sphere(const geometry::ExactRay& ray, surface::SphereFormula formula) {
+  using Traits = number::number_traits<Number>;
+  const auto point = [](const geometry::ExactPoint& p) {
+    return geometry::Vector3<Number>{Traits::from_exact(p.x), Traits::from_exact(p.y),
+                                     Traits::from_exact(p.z)};
+  };
+  const poly::RealRoots<Number> found =
+      surface::ray_sphere<Number>({point(ray.origin), point(ray.direction)}, Number(1), formula);
+  poly::Solution solution;
+  for (int i = 0; i < found.count; ++i) {
+    solution.roots.push_back({Traits::to_exact(found.t[i]), found.multiplicity[i]});
+  }
+  return solution;
+}
+
+poly::Solution certified(const surface::LocalSurface& surface, const geometry::ExactRay& ray,
+                         double most) {
+  const poly::CertifiedRoots found =
+      surface::CertifiedSurface(surface, geometry::AffineMap())
+          .crossings({nearest_double(ray.origin), nearest_double(ray.direction)}, {0, most});
+  poly::Solution solution;
+  solution.outcome = found.outcome;
+  for (int i = 0; i < found.count; ++i) {
+    const auto& [low, high] = found.t[i];
+    solution.roots.push_back({Rational(low + (high - low) / 2), 1});
+  }
+  return solution;
+}
+
 // What each number type makes of polynomials that are given, and of rays.
 struct Holder {
   std::optional<HeldPolynomial> (*rounded)(const Coefficients&);
   std::optional<HeldPolynomial> (*along_ray)(const surface::LocalSurface&,
                                              const geometry::ExactRay&, bool);
+  poly::Solution (*on_sphere)(const geometry::ExactRay&, surface::SphereFormula);
 };
 
 const Holder& holder(const std::string& number) {
 #define LAMINA_HOLDER(Number) \
-  {number::number_traits<Number>::name(), {rounded<Number>, along_ray<Number>}},
+  {number::number_traits<Number>::name(), {rounded<Number>, along_ray<Number>, on_sphere<Number>}},
   static const std::map<std::string, Holder> all{LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_HOLDER)};
 #undef LAMINA_HOLDER
   return all.at(number);
 }
 
 Problem given(Coefficients ideal, poly::ExactRange range = {Rational(0), Rational(1)}) {
-  return {ideal, std::move(range),
-          [ideal](const std::string& number) { return holder(number).rounded(ideal); }};
+  return {ideal,
+          std::move(range),
+          [ideal](const std::string& number) { return holder(number).rounded(ideal); },
+          {}};
 }
 
 Coefficients times(const Coefficients& a, const Coefficients& b) {
@@ -146,6 +182,10 @@ Coefficients scaled(Coefficients c, int exponent) {
   return c;
 }
 
+constexpr const char* kHaines = "haines";
+constexpr const char* kPbrt = "pbrt";
+constexpr const char* kCertifiedFromScene = "certified-from-scene";
+
 // Up to twice the distance of what the ray is aimed at: directions have length one.
 Problem ray_problem(const surface::LocalSurface& surface, const geometry::ExactRay& ray,
                     double distance, bool recentred) {
@@ -155,6 +195,15 @@ Problem ray_problem(const surface::LocalSurface& surface, const geometry::ExactR
           {Rational(0), Rational(2 * distance)},
           [surface, ray, recentred](const std::string& number) {
             return holder(number).along_ray(surface, ray, recentred);
+          },
+          [surface, ray, distance](const std::string& solver,
+                                   const std::string& number) -> std::optional<poly::Solution> {
+            if (solver == kCertifiedFromScene) {
+              return number == "double" ? std::optional(certified(surface, ray, 2 * distance))
+                                        : std::nullopt;
+            }
+            return holder(number).on_sphere(ray, solver == kHaines ? surface::SphereFormula::Haines
+                                                                   : surface::SphereFormula::Pbrt);
           }};
 }
 
@@ -172,10 +221,15 @@ void add_ray_families(std::vector<PolynomialFamily>& all) {
     const surface::LocalSurface surface = is_ring ? ring : ball;
     const std::string name = is_ring ? "torus" : "sphere";
     const int degree = is_ring ? 4 : 2;
+    const std::vector<std::string> from_scene =
+        is_ring ? std::vector<std::string>{kCertifiedFromScene}
+                : std::vector<std::string>{kHaines, kPbrt, kCertifiedFromScene};
     for (const bool recentred : {false, true}) {
       const std::string form = recentred ? " recentred" : "";
+      // They are the same for both forms.
+      const auto& scene_solvers = recentred ? std::vector<std::string>() : from_scene;
       for (const double distance : {3.0, 1e3, 1e6}) {
-        all.push_back({name + form, fmt::format("from {:g}", distance), degree,
+        all.push_back({name + form, fmt::format("from {:g}", distance), degree, scene_solvers,
                        [surface, is_ring, distance, recentred](SeededStream& stream) {
                          const double radius = is_ring ? 1.25 : 1;
                          return ray_problem(surface, ray_at(radius, distance, stream), distance,
@@ -185,7 +239,7 @@ void add_ray_families(std::vector<PolynomialFamily>& all) {
       for (const int k : {6, 10, 14}) {
         constexpr double kDistance = 3;
         const Aim aim = grazing_aim(is_ring ? "ring" : "ball", k, kDistance);
-        all.push_back({name + form, fmt::format("grazing 1e-{}", k), degree,
+        all.push_back({name + form, fmt::format("grazing 1e-{}", k), degree, scene_solvers,
                        [surface, aim, recentred](SeededStream& stream) {
                          const scene::FamilyMember in_place{
                              {}, {}, [](const geometry::Vector3<double>& p) { return p; }};
@@ -201,7 +255,7 @@ std::vector<PolynomialFamily> make_families() {
   std::vector<PolynomialFamily> all;
   const std::vector<int> degrees{2, 3, 4, 6, 10};
   for (const int n : degrees) {
-    all.push_back({"separated", "", n, [n](SeededStream& stream) {
+    all.push_back({"separated", "", n, {}, [n](SeededStream& stream) {
                      return given(with_roots(separated_roots(n, stream)));
                    }});
   }
@@ -211,7 +265,10 @@ std::vector<PolynomialFamily> make_families() {
         if (n < members) {
           continue;
         }
-        all.push_back({fmt::format("cluster of {}", members), fmt::format("1e-{}", k), n,
+        all.push_back({fmt::format("cluster of {}", members),
+                       fmt::format("1e-{}", k),
+                       n,
+                       {},
                        [n, members, k](SeededStream& stream) {
                          return given(
                              with_roots(clustered_roots(n, members, std::pow(10.0, -k), stream)));
@@ -220,7 +277,7 @@ std::vector<PolynomialFamily> make_families() {
     }
   }
   for (const int n : degrees) {
-    all.push_back({"double root", "", n, [n](SeededStream& stream) {
+    all.push_back({"double root", "", n, {}, [n](SeededStream& stream) {
                      Coefficients roots = short_roots(n - 1, stream);
                      roots.push_back(roots.front());
                      return given(with_roots(roots));
@@ -229,11 +286,11 @@ std::vector<PolynomialFamily> make_families() {
   for (const int n : degrees) {
     if (n % 2 == 0) {
       all.push_back(
-          {"no root", "", n, [n](SeededStream& stream) { return given(rootless(n, stream)); }});
+          {"no root", "", n, {}, [n](SeededStream& stream) { return given(rootless(n, stream)); }});
     }
   }
   for (const int n : degrees) {
-    all.push_back({"roots at 0 and 1", "", n, [n](SeededStream& stream) {
+    all.push_back({"roots at 0 and 1", "", n, {}, [n](SeededStream& stream) {
                      Coefficients roots = short_roots(n - 2, stream);
                      roots.insert(roots.end(), {Rational(0), Rational(1)});
                      return given(with_roots(roots));
@@ -241,7 +298,7 @@ std::vector<PolynomialFamily> make_families() {
   }
   for (const int n : degrees) {
     for (const int k : {150, -150, -310}) {
-      all.push_back({"badly scaled", fmt::format("1e{}", k), n, [n, k](SeededStream& stream) {
+      all.push_back({"badly scaled", fmt::format("1e{}", k), n, {}, [n, k](SeededStream& stream) {
                        return given(scaled(with_roots(separated_roots(n, stream)), k));
                      }});
     }

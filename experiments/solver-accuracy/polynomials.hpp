@@ -24,12 +24,17 @@ struct Problem {
   poly::ExactRange range;
   /// By the name of the number type; none if it holds no such coefficients.
   std::function<std::optional<HeldPolynomial>(const std::string& number)> hold;
+  /// By one of the family's scene solvers; none if it does not compute in that number type.
+  std::function<std::optional<poly::Solution>(const std::string& solver, const std::string& number)>
+      from_scene;
 };
 
 struct PolynomialFamily {
   std::string name;
   std::string parameter;
   int degree = 2;
+  /// Ways from the numbers of the scene to the roots without a polynomial as it is held.
+  std::vector<std::string> scene_solvers;
   std::function<Problem(base::SeededStream&)> draw;
 };
 

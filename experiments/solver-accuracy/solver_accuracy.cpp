@@ -47,10 +47,10 @@ struct Cell {
   }
 };
 
-// By number type, then by solver, in the order of the lists.
+// By number type, then by solver, in the order of the lists; the scene solvers come last.
 using Cells = std::map<std::pair<std::size_t, std::size_t>, Cell>;
 
-nlohmann::json to_record(const Settings& settings, const std::vector<poly::Solver>& solvers,
+nlohmann::json to_record(const Settings& settings, const std::vector<std::string>& solvers,
                          const Cells& cells) {
   auto record = nlohmann::json::array();
   for (const auto& [key, cell] : cells) {
@@ -59,7 +59,7 @@ nlohmann::json to_record(const Settings& settings, const std::vector<poly::Solve
       samples.push_back({s.condition, s.separation, s.ulps});
     }
     record.push_back({{"number", settings.plan.numbers[key.first].name},
-                      {"solver", poly::solver_info(solvers[key.second]).name},
+                      {"solver", solvers[key.second]},
                       {"held", cell.held},
                       {"ideal", cell.ideal},
                       {"backward", cell.backward},
@@ -206,6 +206,13 @@ std::string record_of(const Settings& settings, const PolynomialFamily& family, 
             ++cell.not_held;
           }
         }
+        for (std::size_t s = 0; s < family.scene_solvers.size(); ++s) {
+          const auto solution = problem.from_scene(family.scene_solvers[s], number.name);
+          if (solution) {
+            judge(*solution, poly::known(ideal, number.significand_bits),
+                  of_task[task - first][{n, solvers.size() + s}].ideal);
+          }
+        }
       }
     });
   });
@@ -231,7 +238,12 @@ std::string record_of(const Settings& settings, const PolynomialFamily& family, 
       cells[key].merge(cell);
     }
   }
-  return to_record(settings, solvers, cells).dump();
+  std::vector<std::string> names;
+  for (const poly::Solver solver : solvers) {
+    names.emplace_back(poly::solver_info(solver).name);
+  }
+  names.insert(names.end(), family.scene_solvers.begin(), family.scene_solvers.end());
+  return to_record(settings, names, cells).dump();
 }
 
 std::vector<Series> series(const Settings& settings) {
@@ -331,7 +343,9 @@ report::Table accuracy_table(const Experiment& experiment, const std::vector<Sum
     table.on_request = true;
     table.notes = {
         "The roots of the polynomial as it is meant, before its coefficients are "
-        "rounded, or computed from a ray and a surface."};
+        "rounded, or computed from a ray and a surface.",
+        "haines, pbrt: ray and sphere by formulas of their own. certified-from-scene: intervals "
+        "of doubles from the ray and the surface on; undecided where they cannot tell."};
   } else {
     table.columns.insert(
         table.columns.end(),
@@ -347,6 +361,9 @@ report::Table accuracy_table(const Experiment& experiment, const std::vector<Sum
     for (std::size_t i = 0; i < summary.cells.size(); ++i) {
       const Cell& cell = summary.cells[i].second;
       const RootCounts& counts = ideal ? cell.ideal : cell.held;
+      if (counts.polynomials + cell.not_held == 0) {
+        continue;  // a scene solver: nothing is held
+      }
       std::vector<report::Value> row = row_of(summary, i);
       const double largest = counts.ulps.size() == 0 ? std::numeric_limits<double>::quiet_NaN()
                                                      : counts.ulps.largest();
@@ -381,11 +398,17 @@ report::Table times_table(const Experiment& experiment, const std::vector<Summar
       return 1e9 * cell.seconds / static_cast<double>(cell.held.polynomials);
     };
     for (const auto& [key, cell] : summary.cells) {
+      if (cell.held.polynomials == 0) {
+        continue;
+      }
       const auto [place, is_new] = fastest.try_emplace(key.first, ns(cell));
       place->second = std::min(place->second, ns(cell));
     }
     for (std::size_t i = 0; i < summary.cells.size(); ++i) {
       const auto& [key, cell] = summary.cells[i];
+      if (cell.held.polynomials == 0) {
+        continue;
+      }
       std::vector<report::Value> row = row_of(summary, i);
       row.insert(row.end(), {ns(cell), ns(cell) / fastest[key.first]});
       table.rows.push_back(std::move(row));

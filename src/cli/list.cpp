@@ -31,7 +31,11 @@ void list_solvers() {
         : info.most_degree == poly::kMostDegree
             ? std::string("any degree")
             : fmt::format("degrees {} to {}", info.least_degree, info.most_degree);
-    print(std::string(info.name), fmt::format("{}: {}", degrees, info.meaning));
+    const std::string_view is_default =
+        info.solver == poly::default_solver(2)   ? " (the default there)"
+        : info.solver == poly::default_solver(3) ? " (the default from degree 3 on)"
+                                                 : "";
+    print(std::string(info.name), fmt::format("{}: {}{}", degrees, info.meaning, is_default));
   }
 }
 

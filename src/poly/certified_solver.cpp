@@ -81,6 +81,19 @@ class IntervalSearch {
   static bool is_certain(const DoubleInterval& x) { return number::sign(x).value_or(0) != 0; }
 
   [[nodiscard]] int most_changes(const Coefficients& b) const {
+    int changes = 0;
+    int last = 0;
+    for (int j = 0; j <= n_; ++j) {
+      const int sign = b[j].inf() > 0 ? 1 : b[j].sup() < 0 ? -1 : 0;
+      if (sign == 0) {
+        return most_changes_in_doubt(b);
+      }
+      changes += sign * last < 0 ? 1 : 0;
+      last = sign;
+    }
+    return changes;
+  }
+  [[nodiscard]] int most_changes_in_doubt(const Coefficients& b) const {
     std::array<std::optional<int>, kMostDegree + 1> signs;
     for (int j = 0; j <= n_; ++j) {
       signs[j] = number::sign(b[j]);
@@ -145,8 +158,8 @@ class IntervalSearch {
       if (!(t.inf() < middle && middle < t.sup())) {
         return t;
       }
-      const DoubleInterval here = at(DoubleInterval(middle)).value;
-      const DoubleInterval slope = at(t).slope;
+      const DoubleInterval here = value_at(DoubleInterval(middle));
+      const DoubleInterval slope = slope_at(t);
       DoubleInterval next = t;
       if (is_certain(slope)) {
         const DoubleInterval newton = DoubleInterval(middle) - here / slope;
@@ -165,17 +178,21 @@ class IntervalSearch {
     }
   }
 
-  struct At {
-    DoubleInterval value;
-    DoubleInterval slope;
-  };
-  [[nodiscard]] At at(const DoubleInterval& t) const {
-    At sum{p_.c[n_], DoubleInterval(0)};
+  [[nodiscard]] DoubleInterval value_at(const DoubleInterval& t) const {
+    DoubleInterval sum = p_.c[n_];
     for (int i = n_ - 1; i >= 0; --i) {
-      sum.slope = sum.slope * t + sum.value;
-      sum.value = sum.value * t + p_.c[i];
+      sum = sum * t + p_.c[i];
     }
     return sum;
+  }
+  [[nodiscard]] DoubleInterval slope_at(const DoubleInterval& t) const {
+    DoubleInterval value = p_.c[n_];
+    DoubleInterval slope = 0;
+    for (int i = n_ - 1; i >= 0; --i) {
+      slope = slope * t + value;
+      value = value * t + p_.c[i];
+    }
+    return slope;
   }
 
   const IntervalPolynomial& p_;

@@ -31,7 +31,7 @@ constexpr std::array<SolverInfo, 17> kSolvers{{
     {Solver::Monotone, "monotone", 1, kMostDegree,
      "Newton between the derivative's roots (Yuksel 2022)"},
     {Solver::Bernstein, "bernstein", 1, kMostDegree,
-     "Descartes' rule in the Bernstein basis, halving, then Newton"},
+     "Descartes' rule in the Bernstein basis, halving, then Halley"},
     {Solver::Companion, "companion", 1, kMostDegree, "eigenvalues of the companion matrix (Eigen)"},
     {Solver::Certified, "certified", 1, kMostDegree,
      "intervals: roots for certain, none for certain, or undecided"},

@@ -18,11 +18,18 @@ using poly::CertifiedRoots;
 Bounds bounds_of(const DoubleInterval& x) { return {x.inf(), x.sup()}; }
 DoubleInterval interval(const Bounds& x) { return {x.low, x.high}; }
 
-// f(o + s d), with t = s + shift.
-struct IntervalRayPolynomial {
-  std::array<DoubleInterval, 5> c;
-  double shift = 0;
-};
+// Most coefficients are 0 or 1, and a product of intervals takes long.
+DoubleInterval times(const Bounds& c, const DoubleInterval& x) {
+  if (c.low == c.high && (c.low == 0 || c.low == 1)) {
+    return c.low == 0 ? DoubleInterval(0) : x;
+  }
+  return interval(c) * x;
+}
+
+// c[0] v.x + c[1] v.y + c[2] v.z
+DoubleInterval dot(std::span<const Bounds> c, const Vector3<DoubleInterval>& v) {
+  return times(c[0], v.x) + times(c[1], v.y) + times(c[2], v.z);
+}
 
 Vector3<DoubleInterval> at(const Ray<DoubleInterval>& ray, double t) {
   return ray.origin + DoubleInterval(t) * ray.direction;
@@ -37,7 +44,8 @@ CertifiedRoots undecided() {
 }
 
 // Those of two ascending enclosures that are in the range; undecided where that is.
-CertifiedRoots only_in(const poly::Range<double>& range, std::span<const DoubleInterval> ascending) {
+CertifiedRoots only_in(const poly::Range<double>& range,
+                       std::span<const DoubleInterval> ascending) {
   CertifiedRoots roots;
   for (const DoubleInterval& t : ascending) {
     if (t.sup() < range.low || range.high < t.inf()) {
@@ -99,24 +107,18 @@ poly::CertifiedRoots CertifiedSurface::crossings(const Ray<double>& world,
                                                  const poly::Range<double>& range) const {
   const number::RoundingUpwards upwards;
   const auto local = [this](const Vector3<double>& v, double w) {
+    const Vector3<DoubleInterval> point{v.x, v.y, v.z};
     const auto row = [&](std::size_t i) -> DoubleInterval {
-      const auto& r = to_local_[i];
-      return interval(r[0]) * DoubleInterval(v.x) + interval(r[1]) * DoubleInterval(v.y) +
-             interval(r[2]) * DoubleInterval(v.z) + interval(r[3]) * DoubleInterval(w);
+      return dot(to_local_[i], point) + times(to_local_[i][3], w);
     };
     return Vector3<DoubleInterval>{row(0), row(1), row(2)};
   };
   const Ray<DoubleInterval> ray{local(world.origin, 1), local(world.direction, 0)};
   const Vector3<DoubleInterval>& d = ray.direction;
-  const std::array<DoubleInterval, 10> c = [this] {
-    std::array<DoubleInterval, 10> all;
-    std::transform(c_.begin(), c_.end(), all.begin(), interval);
-    return all;
-  }();
   std::array<DoubleInterval, 2> t;
   if (kind_ == Kind::Plane) {
-    const Vector3<DoubleInterval> n{c[0], c[1], c[2]};
-    const auto count = quadratic(0, dot(n, d) / DoubleInterval(2), dot(n, ray.origin) + c[3], t);
+    const auto count =
+        quadratic(0, dot(c_, d) / DoubleInterval(2), dot(c_, ray.origin) + interval(c_[3]), t);
     return count ? only_in(range, std::span(t).first(*count)) : undecided();
   }
   // Any shift is right: it is a double, and the point there is enclosed.
@@ -127,16 +129,17 @@ poly::CertifiedRoots CertifiedSurface::crossings(const Ray<double>& world,
   }
   if (kind_ == Kind::Quadric) {
     const Vector3<DoubleInterval> o = at(ray, nearest);
-    const DoubleInterval two(2);
+    const DoubleInterval half(0.5);
     const auto half_gradient = [&](const Vector3<DoubleInterval>& v) {
-      return Vector3<DoubleInterval>{c[0] * v.x + (c[3] * v.y + c[4] * v.z) / two,
-                                     c[1] * v.y + (c[3] * v.x + c[5] * v.z) / two,
-                                     c[2] * v.z + (c[4] * v.x + c[5] * v.y) / two};
+      return Vector3<DoubleInterval>{
+          times(c_[0], v.x) + half * (times(c_[3], v.y) + times(c_[4], v.z)),
+          times(c_[1], v.y) + half * (times(c_[3], v.x) + times(c_[5], v.z)),
+          times(c_[2], v.z) + half * (times(c_[4], v.x) + times(c_[5], v.y))};
     };
-    const Vector3<DoubleInterval> linear{c[6], c[7], c[8]};
+    const std::span<const Bounds> linear = std::span(c_).subspan(6, 3);
     const Vector3<DoubleInterval> along = half_gradient(d);
-    const auto count = quadratic(dot(along, d), dot(along, o) + dot(linear, d) / two,
-                                 dot(half_gradient(o), o) + dot(linear, o) + c[9], t);
+    const auto count = quadratic(dot(along, d), dot(along, o) + half * dot(linear, d),
+                                 dot(half_gradient(o), o) + dot(linear, o) + interval(c_[9]), t);
     if (!count) {
       return undecided();
     }
@@ -150,8 +153,10 @@ poly::CertifiedRoots CertifiedSurface::crossings(const Ray<double>& world,
   const double start = nearest - reach;
   const Vector3<DoubleInterval> o = at(ray, start);
   const DoubleInterval four(4);
-  const DoubleInterval ring = CGAL::square(c[0]);
-  const DoubleInterval gap = (c[0] - c[1]) * (c[0] + c[1]);
+  const DoubleInterval major = interval(c_[0]);
+  const DoubleInterval minor = interval(c_[1]);
+  const DoubleInterval ring = CGAL::square(major);
+  const DoubleInterval gap = (major - minor) * (major + minor);
   const auto squared = [](const Vector3<DoubleInterval>& v) {
     return CGAL::square(v.x) + CGAL::square(v.y) + CGAL::square(v.z);
   };
