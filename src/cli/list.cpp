@@ -32,9 +32,9 @@ void list_solvers() {
             ? std::string("any degree")
             : fmt::format("degrees {} to {}", info.least_degree, info.most_degree);
     const std::string_view is_default =
-        info.solver == poly::default_solver(2)   ? " (the default there)"
-        : info.solver == poly::default_solver(3) ? " (the default from degree 3 on)"
-                                                 : "";
+        info.solver == poly::default_solver(info.least_degree)   ? " (the default)"
+        : info.solver == poly::default_solver(poly::kMostDegree) ? " (the default from degree 4 on)"
+                                                                 : "";
     print(std::string(info.name), fmt::format("{}: {}{}", degrees, info.meaning, is_default));
   }
 }

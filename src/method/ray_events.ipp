@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "method/ray_events.hpp"
 
@@ -55,7 +56,9 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray,
   }
   std::sort(crossings_.begin(), crossings_.end(),
             [](const Crossing<Number>& a, const Crossing<Number>& b) {
-              return a.t < b.t || (!(b.t < a.t) && a.leaf < b.leaf);
+              // Roots of one leaf that round to the same t are in their own order.
+              return a.t < b.t ||
+                     (!(b.t < a.t) && std::pair(a.leaf, a.index) < std::pair(b.leaf, b.index));
             });
 }
 
@@ -63,7 +66,8 @@ template <number::RealNumber Number>
 void RayEvents<Number>::reorder(std::span<const csg::LeafIndex> rank) {
   std::sort(crossings_.begin(), crossings_.end(),
             [rank](const Crossing<Number>& a, const Crossing<Number>& b) {
-              return a.t < b.t || (!(b.t < a.t) && rank[a.leaf] < rank[b.leaf]);
+              return a.t < b.t || (!(b.t < a.t) && std::pair(rank[a.leaf], a.index) <
+                                                       std::pair(rank[b.leaf], b.index));
             });
 }
 

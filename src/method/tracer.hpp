@@ -34,7 +34,8 @@ class Tracer {
   /// The same, with every event as it is processed.
   virtual std::vector<EventRecord> explain(const Method& method, Report& report) = 0;
 
-  /// The crossings in the order of this number type: by t, ties by leaf index.
+  /// The crossings in the order of this number type: by t, ties by leaf index, those of one leaf as
+  /// its root finder gives them.
   [[nodiscard]] virtual std::span<const CrossingId> crossings() const = 0;
   /// The state that the method starts the leaf in, if it carries states.
   [[nodiscard]] virtual bool starts_inside(const Method& method, csg::LeafIndex leaf) const = 0;

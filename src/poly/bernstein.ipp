@@ -136,17 +136,17 @@ class BernsteinSearch {
   // that of the first which is not zero.
   static unsigned negatives(const Coefficients& b) {
     unsigned negative = 0;
-    unsigned zero = 0;
-    for (int j = 0; j <= n_; ++j) {
-      negative |= static_cast<unsigned>(b[j] < 0) << j;
-      zero |= static_cast<unsigned>(b[j] == 0) << j;
+    bool any_zero = false;
+    for (int j = n_; j >= 0; --j) {
+      negative = negative << 1 | static_cast<unsigned>(b[j] < 0);
+      any_zero |= b[j] == 0;
     }
-    if (zero == 0) {
+    if (!any_zero) {
       return negative;
     }
     const int first = leading_zeros(b.begin(), b.end());
     for (int j = first + 1; j <= n_; ++j) {
-      negative |= ((zero >> j) & (negative >> (j - 1)) & 1U) << j;
+      negative |= (b[j] == 0 ? negative >> (j - 1) & 1U : 0U) << j;
     }
     return first <= n_ && b[first] < 0 ? negative | ((1U << first) - 1) : negative;
   }

@@ -56,7 +56,7 @@ bool fits(Solver solver, int degree);
 /// The one to take for polynomials of this degree, chosen from the table of
 /// experiments/solver-accuracy: README.md there says why. Contract: degree >= 2.
 constexpr Solver default_solver(int degree) {
-  return degree == 2 ? Solver::Kahan : Solver::Bernstein;
+  return degree == 2 ? Solver::Kahan : degree == 3 ? Solver::KahanCubic : Solver::Bernstein;
 }
 
 /// Which rays' polynomials are set up at the ray's point that is nearest to the surface's own

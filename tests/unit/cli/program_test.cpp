@@ -216,7 +216,8 @@ TEST(ProgramTest, SolvePutsAPolynomialThroughEverything) {
   EXPECT_GT(end(0), 0);
 
   const Outcome everywhere = lamina("solve --coefficients 0,0,0 --format json");
-  for (const Json& result : Json::parse(everywhere.out).at("results")) {
+  const Json each = Json::parse(everywhere.out);
+  for (const Json& result : each.at("results")) {
     EXPECT_EQ(result.at("outcome"), "everywhere");
   }
   EXPECT_NE(lamina("solve --coefficients=-6,11,-6,1 --numbers double").out.find("kahan-cubic"),

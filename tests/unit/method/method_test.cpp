@@ -106,5 +106,31 @@ TEST(MethodTest, TheReferenceIsALengthBeforeTheOriginWhereNothingIsCrossed) {
   EXPECT_TRUE(tracer->starts_inside(parse_method("wyvill-trotman"), 1));
 }
 
+// Equal t of one leaf: if it were left before it is entered, W&T 3.5 would reject the one and be
+// stuck inside by the other. Many crossings, as short ranges are sorted stably anyway.
+TEST(TracerTest, RootsOfALeafThatCoincideStayInTheirOrder) {
+  constexpr int kBalls = 20;
+  std::string text;
+  for (int i = 1; i <= kBalls; ++i) {
+    text += "sphere(" + std::to_string(i) + ");";
+  }
+  const scene::Scene scene = support::scene_of(text);
+  const auto tracer = make_tracer<double>(
+      scene, poly::Solvers{.fault = {.kind = poly::RootFault::Kind::Double, .rate = 1}});
+  tracer->find({{0, 0, -50}, {0, 0, 1}});
+  std::vector<csg::LeafIndex> backwards(kBalls);
+  for (int i = 0; i < kBalls; ++i) {
+    backwards[i] = static_cast<csg::LeafIndex>(kBalls - i);
+  }
+  for (int round = 0; round < 2; ++round) {
+    ASSERT_EQ(tracer->crossings().size(), 3U * kBalls);
+    std::vector<int> next(kBalls, 0);
+    for (const CrossingId& crossing : tracer->crossings()) {
+      EXPECT_EQ(crossing.index, next[crossing.leaf]++);
+    }
+    tracer->reorder(backwards);
+  }
+}
+
 }  // namespace
 }  // namespace lamina::method
