@@ -31,8 +31,8 @@ DoubleInterval dot(std::span<const Bounds> c, const Vector3<DoubleInterval>& v) 
   return times(c[0], v.x) + times(c[1], v.y) + times(c[2], v.z);
 }
 
-Vector3<DoubleInterval> at(const Ray<DoubleInterval>& ray, double t) {
-  return ray.origin + DoubleInterval(t) * ray.direction;
+Vector3<DoubleInterval> at(const Ray<DoubleInterval>& ray, const DoubleInterval& t) {
+  return ray.origin + t * ray.direction;
 }
 
 double middle_of(const DoubleInterval& x) { return x.inf() + (x.sup() - x.inf()) / 2; }
@@ -47,11 +47,16 @@ CertifiedRoots undecided() {
 CertifiedRoots only_in(const poly::Range<double>& range,
                        std::span<const DoubleInterval> ascending) {
   CertifiedRoots roots;
+  double before = -std::numeric_limits<double>::infinity();
   for (const DoubleInterval& t : ascending) {
+    if (t.inf() <= before) {
+      return undecided();
+    }
+    before = t.sup();
     if (t.sup() < range.low || range.high < t.inf()) {
       continue;
     }
-    if (t.inf() < range.low || range.high < t.sup()) {
+    if (t.inf() <= range.low || range.high <= t.sup()) {
       return undecided();
     }
     roots.t[roots.count++] = bounds_of(t);
@@ -99,6 +104,7 @@ CertifiedSurface::CertifiedSurface(const LocalSurface& exact, const geometry::Af
                    enclosed);
   }
   if (kind_ == Kind::Torus) {
+    const number::RoundingUpwards upwards;
     bounding_radius_ = c_[0].high + c_[1].high;
   }
 }
@@ -160,13 +166,14 @@ poly::CertifiedRoots CertifiedSurface::crossings(const Ray<double>& world,
   const auto squared = [](const Vector3<DoubleInterval>& v) {
     return CGAL::square(v.x) + CGAL::square(v.y) + CGAL::square(v.z);
   };
-  const Vector3<DoubleInterval> end = at(ray, nearest + reach);
+  const Vector3<DoubleInterval> end = at(ray, DoubleInterval(start) + DoubleInterval(2 * reach));
   const double outside = bounding_radius_ * bounding_radius_;
-  if (!(squared(o).inf() > outside && squared(end).inf() > outside)) {
-    return undecided();
-  }
   const DoubleInterval dd_interval = squared(d);
   const DoubleInterval od = dot(o, d);
+  if (!(squared(o).inf() > outside && squared(end).inf() > outside && od.sup() < 0 &&
+        dot(end, d).inf() > 0)) {
+    return undecided();
+  }
   const DoubleInterval k = squared(o) + gap;
   const std::array<Bounds, 5> f{
       bounds_of(CGAL::square(k) - four * ring * (CGAL::square(o.x) + CGAL::square(o.y))),

@@ -16,8 +16,8 @@ class CertifiedSurface {
   CertifiedSurface(const LocalSurface& exact, const geometry::AffineMap& to_local);
 
   /// Returns where the ray crosses f = 0, exactly as the scene states it, for low <= t <= high;
-  /// Outcome::Undecided where 53 bits cannot tell: a tangent ray, one in the surface, a crossing at
-  /// an end of the range, or two that are too close. No count is ever wrong.
+  /// Outcome::Undecided where 53 bits cannot tell: a tangent ray, one in the surface, a crossing
+  /// at an end of the range, or two that are too close. No count is ever wrong.
   ///
   /// The ray is gone through in local coordinates, in intervals from the scene's numbers on: from
   /// before a torus on, by the Bernstein basis (poly::certified_roots); from its point nearest to

@@ -10,16 +10,17 @@ namespace lamina::surface {
 
 enum class SphereFormula : std::uint8_t {
   Haines,  ///< Haines et al., Ray Tracing Gems (2019), chapter 7
-  Pbrt,    ///< Pharr, Jakob and Humphreys, Physically Based Rendering, 4th edition, section 6.8.4
+  Pbrt,    ///< Pharr, Jakob and Humphreys, Physically Based Rendering, 4th edition, section 6.8.3
 };
 
 /// Returns where a ray crosses the sphere of this radius around the origin; a tangent point as a
 /// root of multiplicity 2. Both take the discriminant from v, the vector from the centre to the
 /// ray's nearest point, so that it does not cancel with distance: a (r^2 - v.v), or with pbrt
-/// a (r + |v|) (r - |v|), which does not cancel at grazing rays either; and the root nearer to the
-/// origin of the ray by Vieta, from o.o - r^2.
+/// a (r + |v|) (r - |v|), whose difference is exact at grazing rays, though |v| is not; and the
+/// root nearer to the origin of the ray by Vieta, from o.o - r^2.
 ///
-/// Error:  v is off by some u |o|, and so is each root.
+/// Error:  v is off by some u |o|, and each root by some u (|o| + r) r / (h |d|), where h is half
+///         of the chord.
 template <number::RoundedNumber Number>
 poly::RealRoots<Number> ray_sphere(const geometry::Ray<Number>& ray, const Number& radius,
                                    SphereFormula formula) {

@@ -316,20 +316,20 @@ TEST_CASE("Certified crossings are those of FLINT and Arb, and nearly all are de
        {"cone", 1, [](SeededStream&) { return cone(Rational(3, 7), Rational(1, 3)); }},
        {"plane", 1, any_plane},
        {"quadric", 2, any_quadric}}};
-  const auto& [name, radius, make] = shapes[GENERATE(range(0, 6))];
+  const Shape& shape = shapes[GENERATE(range(0, 6))];
   constexpr std::uint64_t kCases = 3000;
   constexpr std::array<double, 3> kDistances{3, 1e3, 1e6};
   const support::ClassTally tally =
-      go_through(name, kCases, [&](SeededStream& stream, std::uint64_t case_id) {
+      go_through(shape.name, kCases, [&](SeededStream& stream, std::uint64_t case_id) {
         const AffineMap to_world = case_id % 2 == 0 ? AffineMap() : any_placement(stream);
-        return aimed(stream, make(stream), to_world, radius, kDistances[case_id % 3]);
+        return aimed(stream, shape.make(stream), to_world, shape.radius, kDistances[case_id % 3]);
       });
-  INFO(name << " " << tally);
+  INFO(shape.name << " " << tally);
   CHECK(tally.count("undecided") * 1000 <= kCases);
   CHECK(tally.count("none") >= kCases / 50);
   CHECK(tally.count("one") >= kCases / 50);
-  CHECK((name == "plane" || tally.count("two") >= kCases / 10));
-  CHECK((name != "ring" || tally.count("four") >= kCases / 100));
+  CHECK((shape.name == "plane" || tally.count("two") >= kCases / 10));
+  CHECK((shape.name != "ring" || tally.count("four") >= kCases / 100));
   CHECK(tally.count("some out of the range") >= kCases / 50);
 }
 
@@ -368,16 +368,17 @@ TEST_CASE("No certified crossing is wrong where few are decided", "[certified]")
                                              {"far ring", ring(), far, 1},
                                              {"far cone", cone(1, 0), far, 1},
                                              {"apex", cone(1, 0), {1}, 4e-16}}};
-  const auto& [name, solid, distances, beside] = classes[GENERATE(range(0, 4))];
+  const Class& cls = classes[GENERATE(range(0, 4))];
   constexpr std::uint64_t kCases = 2500;
   const support::ClassTally tally =
-      go_through(name, kCases, [&](SeededStream& stream, std::uint64_t case_id) {
-        return beside_centre(stream, solid, distances[case_id % distances.size()], beside);
+      go_through(cls.name, kCases, [&](SeededStream& stream, std::uint64_t case_id) {
+        const double distance = cls.distances[case_id % cls.distances.size()];
+        return beside_centre(stream, cls.solid, distance, cls.beside);
       });
-  INFO(name << " " << tally);
+  INFO(cls.name << " " << tally);
   CHECK(tally.count("undecided") >= kCases / 4);
   CHECK(tally.count("two") >= kCases / 50);
-  CHECK((name == "far sphere" || tally.count("none") >= kCases / 50));
+  CHECK((cls.name == "far sphere" || tally.count("none") >= kCases / 50));
 }
 
 TEST_CASE("Tangents, rays in a surface and crossings at an end of the range are undecided",
