@@ -254,9 +254,13 @@ class BernsteinSearch {
     add_bracketed(piece.low, piece.high, piece.low + (piece.high - piece.low) * u, rising, 1);
   }
 
-  // The sign change of p between two u, rising with u: left to the end, when all are searched.
+  // The sign change of p between two u, rising with u: left to the end, when all are searched. No
+  // more than n are there, as halving adds none; of more, which there is no room for, none is kept.
   void add_bracketed(const Number& low, const Number& high, const Number& start, bool rising,
                      int multiplicity) {
+    if (brackets_count_ == n_) {
+      return;
+    }
     const Number near = length_ * low;
     const Number far = length_ * high;
     const bool forward = length_ > 0;
