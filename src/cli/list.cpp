@@ -26,15 +26,16 @@ void list_numbers() {
 
 void list_solvers() {
   for (const poly::SolverInfo& info : poly::all_solvers()) {
+    const bool has_one_degree = info.least_degree == info.most_degree;
     const std::string degrees =
-        info.least_degree == info.most_degree ? fmt::format("degree {}", info.least_degree)
+        has_one_degree ? fmt::format("degree {}", info.least_degree)
         : info.most_degree == poly::kMostDegree
             ? std::string("any degree")
             : fmt::format("degrees {} to {}", info.least_degree, info.most_degree);
-    const std::string_view is_default =
-        info.solver == poly::default_solver(info.least_degree)   ? " (the default)"
-        : info.solver == poly::default_solver(poly::kMostDegree) ? " (the default from degree 4 on)"
-                                                                 : "";
+    const int degree = has_one_degree ? info.least_degree : info.most_degree;
+    const std::string_view is_default = info.solver != poly::default_solver(degree) ? ""
+                                        : has_one_degree ? " (the default)"
+                                                         : " (the default from degree 4 on)";
     print(std::string(info.name), fmt::format("{}: {}{}", degrees, info.meaning, is_default));
   }
 }
