@@ -4,6 +4,7 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -27,6 +28,11 @@ inline DoubleInterval enclosing(const Rational& x) {
     return near;
   }
   return {std::nextafter(near, -kInfinity), std::nextafter(near, kInfinity)};
+}
+
+/// A number of the interval near its middle, rounded as the thread rounds.
+inline double middle_of(const DoubleInterval& x) {
+  return std::clamp(x.inf() + (x.sup() - x.inf()) / 2, x.inf(), x.sup());
 }
 
 /// The sign that all numbers of the interval have, 0 only for the number zero; none if they have

@@ -18,10 +18,7 @@ namespace lamina::poly {
 namespace {
 
 using number::DoubleInterval;
-
-double middle_of(const DoubleInterval& x) {
-  return std::clamp(x.inf() + (x.sup() - x.inf()) / 2, x.inf(), x.sup());
-}
+using number::middle_of;
 
 // c[0] + c[1] t + ... + c[degree] t^degree, each coefficient somewhere in its interval.
 struct IntervalPolynomial {

@@ -1,6 +1,9 @@
 // Real roots with a certificate: each for certain alone in an interval, or no answer.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "poly/real_roots.hpp"
 
 namespace lamina::poly {

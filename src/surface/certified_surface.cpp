@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "number/double_interval.hpp"
 
@@ -12,6 +15,7 @@ namespace {
 using geometry::Ray;
 using geometry::Vector3;
 using number::DoubleInterval;
+using number::middle_of;
 using poly::Bounds;
 using poly::CertifiedRoots;
 
@@ -35,15 +39,14 @@ Vector3<DoubleInterval> at(const Ray<DoubleInterval>& ray, const DoubleInterval&
   return ray.origin + t * ray.direction;
 }
 
-double middle_of(const DoubleInterval& x) { return x.inf() + (x.sup() - x.inf()) / 2; }
-
 CertifiedRoots undecided() {
   CertifiedRoots none;
   none.outcome = poly::Outcome::Undecided;
   return none;
 }
 
-// Those of two ascending enclosures that are in the range; undecided where that is.
+// Those that are in the range, of enclosures in the order of their roots; undecided where two
+// overlap, or an end of the range is in one.
 CertifiedRoots only_in(const poly::Range<double>& range,
                        std::span<const DoubleInterval> ascending) {
   CertifiedRoots roots;
@@ -65,16 +68,16 @@ CertifiedRoots only_in(const poly::Range<double>& range,
 }
 
 // The crossings of a t^2 + 2 b t + c, or of 2 b t + c where a is certainly zero.
-std::optional<int> quadratic(const DoubleInterval& a, const DoubleInterval& b,
-                             const DoubleInterval& c, std::array<DoubleInterval, 2>& t) {
+std::optional<std::size_t> quadratic(const DoubleInterval& a, const DoubleInterval& b,
+                                     const DoubleInterval& c, std::array<DoubleInterval, 2>& t) {
   const auto sign_a = number::sign(a);
   if (sign_a == 0) {
     const auto sign_b = number::sign(b);
     if (sign_b == 0) {
-      return number::sign(c).value_or(0) != 0 ? std::optional(0) : std::nullopt;
+      return number::sign(c).value_or(0) != 0 ? std::optional<std::size_t>(0) : std::nullopt;
     }
     t[0] = -c / (DoubleInterval(2) * b);
-    return sign_b ? std::optional(1) : std::nullopt;
+    return sign_b ? std::optional<std::size_t>(1) : std::nullopt;
   }
   const DoubleInterval discriminant = CGAL::square(b) - a * c;
   const auto sign = number::sign(discriminant);
@@ -149,10 +152,11 @@ poly::CertifiedRoots CertifiedSurface::crossings(const Ray<double>& world,
     if (!count) {
       return undecided();
     }
-    for (DoubleInterval& root : t) {
+    const auto found = std::span(t).first(*count);
+    for (DoubleInterval& root : found) {
       root += DoubleInterval(nearest);
     }
-    return only_in(range, std::span(t).first(*count));
+    return only_in(range, found);
   }
   // From outside of the ball that bounds the torus to outside of it again.
   const double reach = 2 * bounding_radius_ / std::sqrt(dd);

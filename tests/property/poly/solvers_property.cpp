@@ -146,6 +146,7 @@ TEST_CASE("root finders keep their bounds on 10^5 polynomials with roots far apa
 TEMPLATE_TEST_CASE("root finders keep their bounds in every precision", "[solvers]", float,
                    long double, number::bin<53>, number::bin<113>, number::bin<237>,
                    number::mpfr<50>) {
+  // Wide software floats take most of the time.
   check_separated<TestType>(number::number_traits<TestType>::kSignificandBits > 64 ? 40 : 100);
 }
 
