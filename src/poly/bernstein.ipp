@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "poly/bernstein.hpp"
 #include "poly/newton.hpp"
@@ -13,13 +14,14 @@
 namespace lamina::poly {
 namespace detail {
 
-// The search for t = length u with 0 < u <= 1; the length may be negative. The degree is known
-// when it is compiled, so that its loops are unrolled.
-template <int n_, RoundedNumber Number>
+// The search for t = length u with 0 < u <= 1; the length may be negative. The loops are unrolled
+// where the degree is known when it is compiled.
+template <typename Degree, RoundedNumber Number>
 class BernsteinSearch {
  public:
-  BernsteinSearch(const Polynomial<Number>& p, const Number& length, RealRoots<Number>& roots)
-      : p_(p), length_(length), roots_(roots) {
+  BernsteinSearch(const Polynomial<Number>& p, Degree degree, const Number& length,
+                  RealRoots<Number>& roots)
+      : p_(p), n_(degree), length_(length), roots_(roots) {
     set_local_coefficients();
     whole_ = {local_, Number(0), Number(1)};
     // By additions only, times C(n, j): most that have no root need no more.
@@ -46,7 +48,7 @@ class BernsteinSearch {
 
   // No coefficient underflows beside the others, if no root but zero is nearer to zero than 2^-this
   // of the length. Software floats take the exponents of double for that.
-  static int widest_range() {
+  [[nodiscard]] int widest_range() const {
     constexpr long kExponents = 1024;
     return static_cast<int>(std::min<long>(std::numeric_limits<Number>::max_exponent, kExponents) /
                             (2 * n_));
@@ -70,16 +72,16 @@ class BernsteinSearch {
     search(whole_, most_halvings());
     close_cluster(sign_at_end);
     if (sign_at_end == 0) {
-      roots_.add(length_, leading_zeros(b.rbegin(), b.rend()));
+      roots_.add(length_, leading_zeros(b.rend() - n_ - 1, b.rend()));
     }
-    halley_roots<n_>(p_, std::span(brackets_).first(brackets_count_));
+    halley_roots(p_, n_, std::span(brackets_).first(brackets_count_));
     for (int i = 0; i < brackets_count_; ++i) {
       roots_.add(brackets_[i].t, multiplicities_[i]);
     }
   }
 
  private:
-  using Coefficients = std::array<Number, n_ + 1>;
+  using Coefficients = std::array<Number, kMostOf<Degree> + 1>;
 
   struct Piece {
     Coefficients b;
@@ -89,7 +91,7 @@ class BernsteinSearch {
 
   // Beyond this the ends of an interval of u in 0 .. 1 need not be different numbers; near 0 they
   // are as far down as roots are.
-  static int most_halvings() {
+  [[nodiscard]] int most_halvings() const {
     return number::number_traits<Number>::kSignificandBits + widest_range();
   }
   // Before this no interval is so narrow that rounding decides; saves time only.
@@ -116,7 +118,7 @@ class BernsteinSearch {
     most_ = 1;
     int length_exponent = 0;
     const Number length_fraction = frexp(length_, &length_exponent);
-    std::array<int, n_ + 1> exponents{};
+    std::array<int, kMostOf<Degree> + 1> exponents{};
     int most_exponent = std::numeric_limits<int>::min();
     power = 1;
     for (int i = 0; i <= n_; ++i) {
@@ -134,7 +136,7 @@ class BernsteinSearch {
 
   // A bit for each negative coefficient; zeros take the sign of the one before them, those in front
   // that of the first which is not zero.
-  static unsigned negatives(const Coefficients& b) {
+  [[nodiscard]] unsigned negatives(const Coefficients& b) const {
     unsigned negative = 0;
     bool any_zero = false;
     for (int j = n_; j >= 0; --j) {
@@ -144,7 +146,7 @@ class BernsteinSearch {
     if (!any_zero) {
       return negative;
     }
-    const int first = leading_zeros(b.begin(), b.end());
+    const int first = leading_zeros(b.begin(), b.begin() + n_ + 1);
     for (int j = first + 1; j <= n_; ++j) {
       negative |= (b[j] == 0 ? negative >> (j - 1) & 1U : 0U) << j;
     }
@@ -152,9 +154,9 @@ class BernsteinSearch {
   }
 
   // A bit for each j where the coefficients j and j + 1 differ in sign.
-  static unsigned sign_changes(unsigned negative) {
-    constexpr unsigned kNeighbours = (1U << n_) - 1;
-    return (negative ^ (negative >> 1)) & kNeighbours;
+  [[nodiscard]] unsigned sign_changes(unsigned negative) const {
+    const unsigned neighbours = (1U << n_) - 1;
+    return (negative ^ (negative >> 1)) & neighbours;
   }
 
   template <typename Iterator>
@@ -165,7 +167,7 @@ class BernsteinSearch {
 
   void add_zeros_at_start(const Piece& piece) {
     if (piece.b[0] == 0) {
-      roots_.add(length_ * piece.low, leading_zeros(piece.b.begin(), piece.b.end()));
+      roots_.add(length_ * piece.low, leading_zeros(piece.b.begin(), piece.b.begin() + n_ + 1));
     }
   }
 
@@ -243,7 +245,7 @@ class BernsteinSearch {
       terms = terms * piece.high + abs(local_[i]);
     }
     const Number rounding = Number(4 * n_) * number::unit_roundoff<Number>() * terms;
-    return std::all_of(piece.b.begin(), piece.b.end(),
+    return std::all_of(piece.b.begin(), piece.b.begin() + n_ + 1,
                        [&](const Number& b) { return abs(b) <= rounding; });
   }
 
@@ -300,6 +302,7 @@ class BernsteinSearch {
   }
 
   const Polynomial<Number>& p_;
+  [[no_unique_address]] Degree n_;
   Number length_;
   RealRoots<Number>& roots_;
   Coefficients local_;
@@ -309,8 +312,8 @@ class BernsteinSearch {
   bool in_cluster_ = false;
   Number cluster_low_;  // in u
   Number cluster_high_;
-  std::array<Bracket<Number>, n_> brackets_;
-  std::array<int, n_> multiplicities_;
+  std::array<Bracket<Number>, kMostOf<Degree>> brackets_;
+  std::array<int, kMostOf<Degree>> multiplicities_;
   int brackets_count_ = 0;
 };
 
@@ -320,10 +323,11 @@ namespace detail {
 
 // The roots from near to far, which is not zero and on the same side; near is zero or `included`. A
 // range that is too wide for the exponents is cut in the middle of these, so many times at most.
-template <int kDegree, RoundedNumber Number>
-void bernstein_search_one_side(const Polynomial<Number>& p, const Number& near, const Number& far,
-                               bool included, int cuts_left, RealRoots<Number>& roots) {
-  BernsteinSearch<kDegree, Number> search(p, far, roots);
+template <typename Degree, RoundedNumber Number>
+void bernstein_search_one_side(const Polynomial<Number>& p, Degree degree, const Number& near,
+                               const Number& far, bool included, int cuts_left,
+                               RealRoots<Number>& roots) {
+  BernsteinSearch<Degree, Number> search(p, degree, far, roots);
   if (search.finds_none()) {
     return;
   }
@@ -340,27 +344,33 @@ void bernstein_search_one_side(const Polynomial<Number>& p, const Number& near, 
   }
   const Number half = far > 0 ? Number(0.5) : Number(-0.5);
   const Number cut = times_power_of_two(half, least + gap / 2);
-  bernstein_search_one_side<kDegree>(p, near, cut, included, cuts_left - 1, roots);
-  bernstein_search_one_side<kDegree>(p, cut, far, false, cuts_left - 1, roots);
+  bernstein_search_one_side(p, degree, near, cut, included, cuts_left - 1, roots);
+  bernstein_search_one_side(p, degree, cut, far, false, cuts_left - 1, roots);
 }
 
-template <int kDegree, RoundedNumber Number>
-void bernstein_search(const Polynomial<Number>& p, const Number& low, const Number& high,
-                      RealRoots<Number>& roots) {
-  if constexpr (kDegree > 1) {
-    if (p.degree < kDegree) {
-      bernstein_search<kDegree - 1>(p, low, high, roots);
-      return;
-    }
-  }
+template <typename Degree, RoundedNumber Number>
+void bernstein_search(const Polynomial<Number>& p, Degree degree, const Number& low,
+                      const Number& high, RealRoots<Number>& roots) {
   constexpr int kMostCuts = 6;  // enough for the exponents of double, and of long double
   if (low < 0) {
     const Number near = std::min(high, Number(0));
-    bernstein_search_one_side<kDegree>(p, near, low, near != 0, kMostCuts, roots);
+    bernstein_search_one_side(p, degree, near, low, near != 0, kMostCuts, roots);
   }
   if (high > 0) {
     const Number near = std::max(low, Number(0));
-    bernstein_search_one_side<kDegree>(p, near, high, near != 0, kMostCuts, roots);
+    bernstein_search_one_side(p, degree, near, high, near != 0, kMostCuts, roots);
+  }
+}
+
+// With the degree as a constant, so that the loops over it are unrolled: for the numbers of
+// hardware, since each degree is code of its own to compile.
+template <int kDegree, RoundedNumber Number>
+void bernstein_search_unrolled(const Polynomial<Number>& p, const Number& low, const Number& high,
+                               RealRoots<Number>& roots) {
+  if (p.degree == kDegree) {
+    bernstein_search(p, std::integral_constant<int, kDegree>(), low, high, roots);
+  } else if constexpr (kDegree > 1) {
+    bernstein_search_unrolled<kDegree - 1>(p, low, high, roots);
   }
 }
 
@@ -397,7 +407,11 @@ RealRoots<Number> bernstein_roots(const Polynomial<Number>& p, const Range<Numbe
     }
     return roots;
   }
-  detail::bernstein_search<kMostDegree>(p, low, high, roots);
+  if constexpr (std::is_floating_point_v<Number>) {
+    detail::bernstein_search_unrolled<kMostDegree>(p, low, high, roots);
+  } else {
+    detail::bernstein_search(p, p.degree, low, high, roots);
+  }
   return roots;
 }
 

@@ -54,14 +54,14 @@ struct Bracket {
 /// or the next one would be below a quarter of a unit, steps going down as they do. All roots go
 /// on at the same time, as each alone waits for its own arithmetic most of the time.
 ///
-/// Contract: the degree of p is kDegree.
-template <int kDegree, RoundedNumber Number>
-void halley_roots(const Polynomial<Number>& p, std::span<Bracket<Number>> brackets) {
+/// Contract: the degree of p, an int or an integral_constant; no more brackets than that.
+template <typename Degree, RoundedNumber Number>
+void halley_roots(const Polynomial<Number>& p, Degree degree, std::span<Bracket<Number>> brackets) {
   using std::abs;
   const Number quarter_unit = number::unit_roundoff<Number>() / 2;  // of a number, at most
-  std::array<Number, kDegree> limits;
-  std::array<Number, kDegree> last_steps;  // of Halley's, directly before
-  std::array<int, kDegree> active;
+  std::array<Number, kMostOf<Degree>> limits;
+  std::array<Number, kMostOf<Degree>> last_steps;  // of Halley's, directly before
+  std::array<int, kMostOf<Degree>> active;
   int left = 0;
   for (std::size_t i = 0; i < brackets.size(); ++i) {
     limits[i] = brackets[i].high - brackets[i].low;
@@ -74,7 +74,7 @@ void halley_roots(const Polynomial<Number>& p, std::span<Bracket<Number>> bracke
       const int i = active[k];
       Bracket<Number>& bracket = brackets[i];
       const Number t = bracket.t;
-      const TaylorAt<Number> at = taylor_at<kDegree>(p, t);
+      const TaylorAt<Number> at = taylor_at(p, degree, t);
       if (at.value == 0) {
         continue;
       }

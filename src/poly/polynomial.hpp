@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 #include "number/traits.hpp"
 
@@ -68,11 +69,18 @@ struct TaylorAt {
   Number half_bend;  ///< p''(t) / 2
 };
 
-/// Returns p(t), p'(t) and p''(t) / 2 by Horner's rule. Contract: the degree of p is kDegree.
-template <int kDegree, RoundedNumber Number>
-TaylorAt<Number> taylor_at(const Polynomial<Number>& p, const Number& t) {
-  TaylorAt<Number> at{p.c[kDegree], Number(0), Number(0)};
-  for (int i = kDegree - 1; i >= 0; --i) {
+/// A degree is an int, or where it is known when compiling a std::integral_constant, by which
+/// loops over it are unrolled: the most that it can be.
+template <typename Degree>
+inline constexpr int kMostOf = kMostDegree;
+template <int kDegree>
+inline constexpr int kMostOf<std::integral_constant<int, kDegree>> = kDegree;
+
+/// Returns p(t), p'(t) and p''(t) / 2 by Horner's rule. Contract: p has this degree.
+template <typename Degree, RoundedNumber Number>
+TaylorAt<Number> taylor_at(const Polynomial<Number>& p, Degree degree, const Number& t) {
+  TaylorAt<Number> at{p.c[degree], Number(0), Number(0)};
+  for (int i = degree - 1; i >= 0; --i) {
     at.half_bend = at.half_bend * t + at.slope;
     at.slope = at.slope * t + at.value;
     at.value = at.value * t + p.c[i];
