@@ -3,9 +3,9 @@
 
     scripts/check_headers.py build/release
 
-Prints the compiler's messages. Headers that include number/rational.hpp, directly or not, share
-one precompiled header of its Boost include, which they begin with anyway: that is where nearly
-all of the time would go."""
+Prints the compiler's messages. Headers that include number/traits.hpp or number/rational.hpp,
+directly or not, share one precompiled header of its Boost includes, which they begin with anyway:
+that is where nearly all of the time would go."""
 
 import concurrent.futures
 import json
@@ -19,8 +19,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
-SHARED = "number/rational.hpp"
-SHARED_INCLUDE = "boost/multiprecision/gmp.hpp"
+# The more of them first: a header takes the first one that it reaches.
+SHARED = {
+    "number/traits.hpp": ("cpp_bin_float", "gmp", "mpfr"),
+    "number/rational.hpp": ("gmp",),
+}
 
 
 def flags_of(build):
@@ -52,14 +55,22 @@ def main():
     flags = flags_of(Path(sys.argv[1]))
     headers = sorted(h for top in ("src", "experiments") for h in (ROOT / top).rglob("*.hpp"))
     with tempfile.TemporaryDirectory() as folder:
-        shared = Path(folder) / "shared.hpp"
-        shared.write_text(f"#include <{SHARED_INCLUDE}>\n", encoding="utf-8")
-        subprocess.run([*flags, "-x", "c++-header", shared, "-o", f"{shared}.gch"], check=True)
+        precompiled = {}
+        for header, includes in SHARED.items():
+            file = Path(folder) / header.replace("/", "_")
+            file.write_text(
+                "".join(f"#include <boost/multiprecision/{name}.hpp>\n" for name in includes),
+                encoding="utf-8",
+            )
+            subprocess.run([*flags, "-x", "c++-header", file, "-o", f"{file}.gch"], check=True)
+            precompiled[header] = file
 
         def errors_in(header):
             alone = Path(folder) / ("_".join(header.relative_to(ROOT).parts) + ".cpp")
             alone.write_text(f'#include "{header}"\n', encoding="utf-8")
-            prefix = ["-include", shared] if reaches(header, SHARED, set()) else []
+            shared = next((file for name, file in precompiled.items()
+                           if header == path_of(name) or reaches(header, name, set())), None)
+            prefix = ["-include", shared] if shared else []
             command = [*flags, *prefix, "-fsyntax-only", alone]
             return subprocess.run(command, capture_output=True, text=True).stderr
 

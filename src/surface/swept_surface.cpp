@@ -1,0 +1,516 @@
+#include "surface/swept_surface.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/contract.hpp"
+
+namespace lamina::surface {
+namespace {
+
+using geometry::Contour;
+using geometry::ContourPiece;
+using geometry::ExactPoint;
+using geometry::ExactRay;
+using geometry::Rectangle;
+using number::IntegerPolynomial;
+using number::Rational;
+using number::Root;
+
+using Polynomial = std::vector<Rational>;  // ascending; leading zeros are allowed
+
+Polynomial multiply(const Polynomial& a, const Polynomial& b) {
+  if (a.empty() || b.empty()) {
+    return {};
+  }
+  Polynomial product(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      product[i + j] += a[i] * b[j];
+    }
+  }
+  return product;
+}
+
+// Adds factor * b to a.
+void add(Polynomial& a, const Polynomial& b, const Rational& factor = 1) {
+  a.resize(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    a[i] += factor * b[i];
+  }
+}
+
+Polynomial shifted(Polynomial p, const Rational& by) {
+  p.front() += by;
+  return p;
+}
+
+Rational value(const Polynomial& p, const Rational& t) {
+  Rational sum = 0;
+  for (auto c = p.rbegin(); c != p.rend(); ++c) {
+    sum = sum * t + *c;
+  }
+  return sum;
+}
+
+// A polynomial in u, which need not be rational, whose coefficients are polynomials in t.
+using InU = std::vector<Polynomial>;
+
+InU multiply(const InU& a, const InU& b) {
+  InU product(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      add(product[i + j], multiply(a[i], b[j]));
+    }
+  }
+  return product;
+}
+
+void add(InU& a, const InU& b, const Rational& factor) {
+  a.resize(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    add(a[i], b[i], factor);
+  }
+}
+
+// By the first row; at most three rows.
+InU determinant(const std::vector<std::vector<InU>>& m) {
+  if (m.size() == 1) {
+    return m[0][0];
+  }
+  InU sum;
+  for (std::size_t column = 0; column < m.size(); ++column) {
+    std::vector<std::vector<InU>> minor;
+    for (std::size_t row = 1; row < m.size(); ++row) {
+      minor.push_back(m[row]);
+      minor.back().erase(minor.back().begin() + static_cast<std::ptrdiff_t>(column));
+    }
+    add(sum, multiply(m[0][column], determinant(minor)), column % 2 == 0 ? 1 : -1);
+  }
+  return sum;
+}
+
+std::size_t degree_of(const ContourPiece& piece) {
+  std::size_t degree = piece.u.size() - 1;
+  while (degree > 0 && piece.u[degree].is_zero() && piece.v[degree].is_zero()) {
+    --degree;
+  }
+  return degree;
+}
+
+// A ray where the contour is: homogeneous coordinates of its points in the (u, v) plane. Of a
+// rotational sweep u is not a polynomial in t, but its square is.
+struct PlaneRay {
+  std::optional<Polynomial> u;
+  Polynomial u_squared;
+  Polynomial v;
+  Polynomial w;
+};
+
+PlaneRay plane_ray(Sweep sweep, const ExactRay& ray) {
+  const auto& [o, d] = ray;
+  const Polynomial x{o.x, d.x};
+  const Polynomial y{o.y, d.y};
+  const Polynomial z{o.z, d.z};
+  const Polynomial one{1};
+  switch (sweep) {
+    case Sweep::Translational:
+      return {x, {}, y, one};
+    case Sweep::Conic:
+      return {x, {}, y, z};
+    case Sweep::Rotational: {
+      Polynomial squared = multiply(x, x);
+      add(squared, multiply(y, y));
+      return {{}, squared, z, one};
+    }
+  }
+  return {};
+}
+
+// The resultant over s of u(s) w - u and v(s) w - v by Bezout's matrix, each entry of which has a
+// factor w that is left out: zero where the ray's point is on the piece's curve, or on what
+// continues it beyond its ends. With u^2 alone, that for u times that for -u.
+Polynomial eliminated(const ContourPiece& piece, const PlaneRay& ray) {
+  const std::size_t n = degree_of(piece);
+  // [p, q] = u_p v_q - u_q v_p, where the coefficients of s^0 are u_0 w - u and v_0 w - v.
+  const auto bracket = [&](std::size_t p, std::size_t q) -> InU {
+    Polynomial rational;
+    add(rational, ray.w, piece.u[p] * piece.v[q] - piece.u[q] * piece.v[p]);
+    if (q > 0) {
+      return {rational};
+    }
+    add(rational, ray.v, -piece.u[p]);
+    if (!ray.u) {
+      return {rational, {piece.v[p]}};
+    }
+    add(rational, *ray.u, piece.v[p]);
+    return {rational};
+  };
+  std::vector<std::vector<InU>> bezout(n, std::vector<InU>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t k = 0; k <= std::min(i, n - 1 - j); ++k) {
+        const std::size_t p = j + k + 1;
+        const std::size_t q = i - k;
+        if (p != q) {
+          add(bezout[i][j], p > q ? bracket(p, q) : bracket(q, p), p > q ? 1 : -1);
+        }
+      }
+    }
+  }
+  InU f = determinant(bezout);
+  f.resize(std::max<std::size_t>(f.size(), 4));
+  if (ray.u) {
+    return f[0];
+  }
+  Polynomial even = f[0];
+  add(even, multiply(f[2], ray.u_squared));
+  Polynomial odd = f[1];
+  add(odd, multiply(f[3], ray.u_squared));
+  Polynomial norm = multiply(even, even);
+  add(norm, multiply(multiply(odd, odd), ray.u_squared), -1);
+  return norm;
+}
+
+struct Range {
+  Rational low;
+  Rational high;
+};
+
+Range range_of(const Rational& a, const Rational& b) { return a < b ? Range{a, b} : Range{b, a}; }
+
+// A polynomial of degree 2 at most over an interval of t.
+Range range_over(const Polynomial& p, const Range& t) {
+  Range range = range_of(value(p, t.low), value(p, t.high));
+  if (p.size() > 2 && !p[2].is_zero()) {
+    const Rational turn = -p[1] / (2 * p[2]);
+    if (t.low < turn && turn < t.high) {
+      const Rational extreme = value(p, turn);
+      range = {std::min(range.low, extreme), std::max(range.high, extreme)};
+    }
+  }
+  return range;
+}
+
+// Is low <= x / w <= high impossible for these?
+bool is_off(const Range& x, const Range& w, const Rational& low, const Rational& high) {
+  // Beyond a bound x - low w and x - high w have the same sign.
+  const auto minus = [&](const Rational& bound) {
+    const Range scaled = range_of(bound * w.low, bound * w.high);
+    return Range{x.low - scaled.high, x.high - scaled.low};
+  };
+  const Range above = minus(low);
+  const Range over = minus(high);
+  return (w.low > 0 || w.high < 0) &&
+         ((above.high < 0 && over.high < 0) || (above.low > 0 && over.low > 0));
+}
+
+// Of u >= 0 whose enclosure may begin a little left of the axis.
+Rational least_square(const Rectangle& box) {
+  return box.u_min > 0 ? Rational(box.u_min * box.u_min) : Rational(0);
+}
+
+// Is no point of the ray with t in this interval in the rectangle, for certain?
+bool misses(const PlaneRay& ray, const Range& t, const Rectangle& box) {
+  const Range w = range_over(ray.w, t);
+  if (is_off(range_over(ray.v, t), w, box.v_min, box.v_max)) {
+    return true;
+  }
+  if (ray.u) {
+    return is_off(range_over(*ray.u, t), w, box.u_min, box.u_max);
+  }
+  const Range squared = range_over(ray.u_squared, t);
+  return squared.high < least_square(box) || squared.low > box.u_max * box.u_max;
+}
+
+// Van Wijk's rectangle test of section 3, over the rationals: are all corners on one side of the
+// projected ray, a line in the (u, v) plane?
+bool line_misses(const PlaneRay& ray, const Rectangle& box) {
+  // The line through two of its points, in homogeneous coordinates: their cross product.
+  const auto at = [](const Polynomial& p, std::size_t i) {
+    return i < p.size() ? p[i] : Rational(0);
+  };
+  const Polynomial& u = *ray.u;
+  const Rational a = at(ray.v, 0) * at(ray.w, 1) - at(ray.w, 0) * at(ray.v, 1);
+  const Rational b = at(ray.w, 0) * at(u, 1) - at(u, 0) * at(ray.w, 1);
+  const Rational c = at(u, 0) * at(ray.v, 1) - at(ray.v, 0) * at(u, 1);
+  const std::array signs{Rational(a * box.u_min + b * box.v_min + c).sign(),
+                         Rational(a * box.u_min + b * box.v_max + c).sign(),
+                         Rational(a * box.u_max + b * box.v_min + c).sign(),
+                         Rational(a * box.u_max + b * box.v_max + c).sign()};
+  const auto [least, most] = std::minmax_element(signs.begin(), signs.end());
+  return *least > 0 || *most < 0;
+}
+
+// Is no point of the whole ray in the turned rectangle, which is a ring, for certain?
+bool ring_is_missed(const PlaneRay& ray, const Rectangle& box) {
+  const Rational& along = ray.v[1];
+  if (!along.is_zero()) {
+    const Range t = range_of((box.v_min - ray.v[0]) / along, (box.v_max - ray.v[0]) / along);
+    return misses(ray, t, box);
+  }
+  if (ray.v[0] < box.v_min || ray.v[0] > box.v_max) {
+    return true;
+  }
+  // Least where the ray is nearest to the axis; it has a direction across.
+  const Rational nearest = -ray.u_squared[1] / (2 * ray.u_squared[2]);
+  return value(ray.u_squared, nearest) > box.u_max * box.u_max;
+}
+
+struct Candidate {
+  Root t;
+  std::optional<std::uint32_t> piece;  // none where nothing but the ray's sample points may change
+};
+
+void add_roots(std::vector<Candidate>& candidates, const Polynomial& p,
+               const std::optional<std::uint32_t>& piece) {
+  const IntegerPolynomial integral = number::with_cleared_denominators(p);
+  if (integral.degree() > 0) {
+    for (const Root& root : number::real_roots(integral)) {
+      candidates.push_back({root, piece});
+    }
+  }
+}
+
+// Where a ray that stays on the curve of a piece, which is straight, passes the piece's ends.
+void add_ends(std::vector<Candidate>& candidates, const PlaneRay& ray, const ContourPiece& piece,
+              std::uint32_t index) {
+  for (const Rational& s : {Rational(0), Rational(1)}) {
+    Polynomial v = ray.v;
+    add(v, ray.w, -value(piece.v, s));
+    add_roots(candidates, v, index);
+    const Rational u_end = value(piece.u, s);
+    Polynomial u = ray.u ? *ray.u : shifted(ray.u_squared, -u_end * u_end);
+    if (ray.u) {
+      add(u, ray.w, -u_end);
+    }
+    add_roots(candidates, u, index);
+  }
+}
+
+bool is_near(const Candidate& candidate, const PlaneRay& ray, const Rectangle& box) {
+  const double low = candidate.t.lower();
+  const double high = candidate.t.upper();
+  return !std::isfinite(low) || !std::isfinite(high) ||
+         !misses(ray, {Rational(low), Rational(high)}, box);
+}
+
+// A rational between two different roots.
+Rational between(const Root& a, const Root& b) {
+  if (a.upper() < b.lower()) {
+    return (Rational(a.upper()) + Rational(b.lower())) / 2;
+  }
+  for (int bits = 64;; bits *= 2) {
+    const Rational low = enclosure(a, bits).upper;
+    const Rational high = enclosure(b, bits).lower;
+    if (low < high) {
+      return (low + high) / 2;
+    }
+  }
+}
+
+// A point of the (u, v) plane: v, and u or its square.
+struct PlanePlace {
+  std::optional<Rational> u;
+  Rational u_squared;
+  Rational v;
+};
+
+// The sign of u(s) - u.
+template <typename Parameter>
+int side_in_u(const Polynomial& u, const PlanePlace& place, const Parameter& s) {
+  Polynomial difference =
+      place.u ? shifted(u, -*place.u) : shifted(multiply(u, u), -place.u_squared);
+  if constexpr (std::is_same_v<Parameter, Root>) {
+    return sign_at(number::with_cleared_denominators(difference), s);
+  } else {
+    return value(difference, s).sign();
+  }
+}
+
+// The sign of u(s) - u for all of a piece, or zero if its rectangle does not tell.
+int side_in_u(const Rectangle& box, const PlanePlace& place) {
+  const bool right = place.u ? box.u_min > *place.u : least_square(box) > place.u_squared;
+  const bool left = place.u ? box.u_max < *place.u : box.u_max * box.u_max < place.u_squared;
+  return right ? 1 : left ? -1 : 0;
+}
+
+// Of a polynomial that is not zero, for s just above 0: its first coefficient's that is not.
+int sign_after_zero(const Polynomial& p) {
+  return std::find_if(p.begin(), p.end(), [](const Rational& c) { return !c.is_zero(); })->sign();
+}
+
+// For s just below 1: just above 0 of the polynomial of 1 - s.
+int sign_before_one(const Polynomial& p) {
+  Polynomial turned{p.back()};
+  for (auto c = std::next(p.rbegin()); c != p.rend(); ++c) {
+    turned = multiply(turned, {1, -1});
+    turned.front() += *c;
+  }
+  return sign_after_zero(turned);
+}
+
+// Counts how often a contour passes the half-line from a place to greater u. Goes along the whole
+// contour by the sign of v(s) - v in the open intervals between its zeros: what is passed at a
+// joint, or by pieces on the line itself, shows in the signs before and after.
+class PassingCount {
+ public:
+  PassingCount(const Contour& contour, const PlanePlace& place) : place_(place) {
+    const auto pieces = contour.pieces();
+    for (std::size_t i = 0; i < pieces.size() && !on_contour_; ++i) {
+      go_along(pieces[i], contour.boxes()[i]);
+    }
+    // An open contour is closed along the axis, left of every place.
+    if (!on_contour_ && contour.closed() && last_sign_ != first_sign_) {
+      count_at(pieces.front().u, Rational(0));
+    }
+  }
+
+  [[nodiscard]] int side() const { return on_contour_ ? 0 : passings_ % 2 == 1 ? -1 : 1; }
+
+ private:
+  void go_along(const ContourPiece& piece, const Rectangle& box) {
+    if (box.v_min > place_.v || box.v_max < place_.v) {
+      begin_with(box.v_min > place_.v ? 1 : -1, piece);
+      return;
+    }
+    const Polynomial height = shifted(piece.v, -place_.v);
+    const IntegerPolynomial g = number::with_cleared_denominators(height);
+    if (g.is_zero()) {
+      const int from = side_in_u(piece.u, place_, Rational(0));
+      const int to = side_in_u(piece.u, place_, Rational(1));
+      on_contour_ = from * to <= 0;
+      return;
+    }
+    begin_with(sign_after_zero(height), piece);
+    const int all = side_in_u(box, place_);
+    if (all != 0) {
+      // No matter where on the piece, only whether.
+      const int sign = sign_before_one(height);
+      passings_ += sign != last_sign_ && all > 0 ? 1 : 0;
+      last_sign_ = sign;
+      return;
+    }
+    on_contour_ = height.front().is_zero() && side_in_u(piece.u, place_, Rational(0)) == 0;
+    for (const Root& s : g.degree() > 0 ? number::real_roots(g) : std::vector<Root>{}) {
+      if (compare(s, Rational(0)) <= 0 || compare(s, Rational(1)) > 0) {
+        continue;
+      }
+      const int side = side_in_u(piece.u, place_, s);
+      on_contour_ = on_contour_ || side == 0;
+      if (s.multiplicity() % 2 == 1 && compare(s, Rational(1)) < 0) {
+        last_sign_ = -last_sign_;
+        passings_ += side > 0 ? 1 : 0;
+      }
+    }
+  }
+
+  // The sign just behind the start of a piece.
+  void begin_with(int sign, const ContourPiece& piece) {
+    if (first_sign_ == 0) {
+      first_sign_ = last_sign_ = sign;
+    } else if (sign != last_sign_) {
+      count_at(piece.u, Rational(0));
+      last_sign_ = sign;
+    }
+  }
+
+  void count_at(const Polynomial& u, const Rational& s) {
+    passings_ += side_in_u(u, place_, s) > 0 ? 1 : 0;
+  }
+
+  PlanePlace place_;
+  int first_sign_ = 0;
+  int last_sign_ = 0;
+  int passings_ = 0;
+  bool on_contour_ = false;
+};
+
+}  // namespace
+
+SweptSurface::SweptSurface(Sweep sweep, std::shared_ptr<const Contour> contour)
+    : sweep_(sweep), contour_(std::move(contour)) {
+  if (sweep_ == Sweep::Rotational) {
+    contour_->require_right_of_axis();
+  } else if (!contour_->closed()) {
+    throw base::InputError("an open contour can only be turned about its axis: close it");
+  }
+}
+
+int SweptSurface::side(const ExactPoint& local) const {
+  const auto& [x, y, z] = local;
+  switch (sweep_) {
+    case Sweep::Translational:
+      return PassingCount(*contour_, {x, {}, y}).side();
+    case Sweep::Conic:
+      if (z.is_zero()) {
+        return x.is_zero() && y.is_zero() ? 0 : 1;
+      }
+      return PassingCount(*contour_, {Rational(x / z), {}, y / z}).side();
+    case Sweep::Rotational:
+      return PassingCount(*contour_, {{}, x * x + y * y, z}).side();
+  }
+  return 1;
+}
+
+SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
+  const PlaneRay ray = plane_ray(sweep_, local);
+  std::vector<Candidate> candidates;
+  if (sweep_ == Sweep::Conic) {
+    add_roots(candidates, ray.w, std::nullopt);
+  }
+  const auto pieces = contour_->pieces();
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    const Rectangle& box = contour_->boxes()[i];
+    if (ray.u ? line_misses(ray, box) : ring_is_missed(ray, box)) {
+      continue;
+    }
+    std::vector<Candidate> of_piece;
+    const Polynomial f = eliminated(pieces[i], ray);
+    if (number::with_cleared_denominators(f).is_zero()) {
+      add_ends(of_piece, ray, pieces[i], i);
+    } else {
+      add_roots(of_piece, f, i);
+    }
+    std::copy_if(of_piece.begin(), of_piece.end(), std::back_inserter(candidates),
+                 [&](const Candidate& c) { return is_near(c, ray, box); });
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    const auto order = compare(a.t, b.t);
+    return order < 0 || (order == 0 && a.piece < b.piece);
+  });
+
+  const auto side_at = [&](const Rational& t) { return side(local.origin + t * local.direction); };
+  Crossings result;
+  int before =
+      side_at(candidates.empty() ? Rational(0) : Rational(candidates.front().t.lower()) - 1);
+  result.starts_inside = before < 0;
+  result.in_boundary = before == 0;
+  for (auto first = candidates.begin(); first != candidates.end() && !result.in_boundary;) {
+    const auto end = std::find_if(first, candidates.end(), [first](const Candidate& later) {
+      return compare(first->t, later.t) < 0;
+    });
+    const int after = side_at(end == candidates.end() ? Rational(std::prev(end)->t.upper()) + 1
+                                                      : between(std::prev(end)->t, end->t));
+    result.in_boundary = after == 0;
+    if (after != before) {
+      const auto piece =
+          std::find_if(first, end, [](const auto& c) { return c.piece.has_value(); });
+      LAMINA_REQUIRE(after == 0 || piece != end, "a ray gets inside through a piece");
+      if (piece != end) {
+        result.crossings.push_back({first->t, *piece->piece});
+      }
+    }
+    before = after;
+    first = end;
+  }
+  if (result.in_boundary) {
+    return {false, true, {}};
+  }
+  return result;
+}
+
+}  // namespace lamina::surface

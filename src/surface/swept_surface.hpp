@@ -1,0 +1,59 @@
+// Half-spaces bounded by a swept contour, exactly: van Wijk's translational, conic and rotational
+// sweeps.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/contour.hpp"
+#include "geometry/vector.hpp"
+#include "number/algebraic.hpp"
+
+namespace lamina::surface {
+
+/// Which points (x, y, z) lie in the half-space, for a contour in the (u, v) plane (van Wijk 1984,
+/// sections 3 to 5). None has caps: these are planes of the scene's tree.
+enum class Sweep : std::uint8_t {
+  Translational,  ///< (u, v) = (x, y): the infinite cylinder over the contour
+  Conic,          ///< (u, v) = (x / z, y / z): the infinite cone of both nappes, apex at the origin
+  Rotational,     ///< (u, v) = (sqrt(x^2 + y^2), z): the solid of revolution
+};
+
+/// The half-space in local coordinates.
+class SweptSurface {
+ public:
+  struct Crossing {
+    number::Root t;
+    std::uint32_t piece = 0;  ///< of the contour; where two meet, the lower one
+  };
+
+  /// The crossings of a ray: where it goes from outside to inside or back, each at its exact t,
+  /// ascending; a touch is none.
+  struct Crossings {
+    bool starts_inside = false;  ///< for t towards -infinity
+    bool in_boundary = false;    ///< the ray runs along the surface somewhere: no crossings then
+    std::vector<Crossing> crossings;
+  };
+
+  /// Throws base::InputError for a contour that the sweep cannot have: an open one, but for
+  /// Rotational, or for that one with points left of the axis.
+  SweptSurface(Sweep sweep, std::shared_ptr<const geometry::Contour> contour);
+
+  /// All crossings on the whole line of a ray in local coordinates; t is the same as in the world.
+  /// Exact: s is eliminated from each piece, which leaves a polynomial in t of degree 3, or 6 of a
+  /// rotational sweep; between its isolated roots the ray's points are inside or not.
+  [[nodiscard]] Crossings crossings(const geometry::ExactRay& local) const;
+
+  /// -1 inside, 0 on the surface, 1 outside: exact.
+  [[nodiscard]] int side(const geometry::ExactPoint& local) const;
+
+  [[nodiscard]] Sweep sweep() const { return sweep_; }
+  [[nodiscard]] const geometry::Contour& contour() const { return *contour_; }
+
+ private:
+  Sweep sweep_;
+  std::shared_ptr<const geometry::Contour> contour_;
+};
+
+}  // namespace lamina::surface
