@@ -32,18 +32,27 @@ class RoundedSweep {
 
   /// Returns in `crossings`, ascending in t, where a ray in local coordinates crosses the surface:
   /// the s of each piece that its rectangle does not rule out, by equations 2, 6 and 9 of van Wijk
-  /// 1984, then t by one of its equations for it, that with the largest divisor. A ray at one z in
-  /// a rotational sweep has v(s) = o_z, and two t on the circle. Roots that the solver knows to be
-  /// of even multiplicity are touches, and left out; a ray along the surface crosses nothing.
+  /// 1984, then t by one of its equations for it, that with the largest divisor. Rays along the
+  /// contour's plane or its axis have equations of their own in place of his very small numbers:
+  /// at one z in a rotational sweep v(s) = o_z, and two t on the circle; parallel to the axis
+  /// u(s) is the distance from it. Roots that the solver knows to be of even multiplicity are
+  /// touches, and left out; a ray for which the equation of a piece holds all along crosses
+  /// nothing.
   ///
-  /// Error:  that of the solver's s, which the sextic's coefficients, o_z and all, are the more off
-  ///         the farther away the ray starts, times the slope of t over s.
+  /// By his rule a joint belongs to the piece with s = 0: a ray that touches a corner there crosses
+  /// it once, as far as this can tell. Where the contour meets the axis and ends, or goes on along
+  /// it, u^2 has a double root, which is a crossing.
+  ///
+  /// Error:  that of the solver's s times the slope of t over s. The coefficients of the sextic are
+  ///         the more off the farther away the ray starts, and with them s; and as a ray gets
+  ///         nearly level, t is off by some u (|d| / d_z)^2: for |d_z| below some sqrt(u) |d| its
+  ///         two crossings of a steep piece are lost.
   void find_crossings(const geometry::Ray<Number>& local, const SweepSolvers& solvers,
                       std::vector<Crossing>& crossings) const;
 
-  /// Are all of the piece's points off the ray, for certain? Van Wijk's rectangle tests of sections
-  /// 3 to 5, as bounds of the equation over the rectangle, each less a bound on its rounding. (The
-  /// twelve cases of section 5 decide the same for the hyperbola.)
+  /// Are all of the piece's points off the ray, for certain if nothing underflows? Van Wijk's
+  /// rectangle tests of sections 3 to 5, as bounds of the equation over the rectangle, each less a
+  /// bound on its rounding. (The twelve cases of section 5 decide the same for the hyperbola.)
   [[nodiscard]] bool rules_out(const geometry::Ray<Number>& local, std::uint32_t piece) const;
 
   /// The outward normal at a crossing, not of length one: van Wijk's, but the right n_z of a conic
@@ -57,6 +66,9 @@ class RoundedSweep {
     std::array<Number, 4> u;
     std::array<Number, 4> v;
     Number u_min, u_max, v_min, v_max;  // not inside the exact ones
+    bool sweeps;                        // or is on the axis
+    bool from_pole;                     // it begins where the surface meets the axis
+    bool to_pole;                       // it ends there
   };
 
   // a v^2 + b v + c - d u^2 = 0 (equation 9 of van Wijk) or, with a and d zero, a line of v and u.
@@ -71,6 +83,15 @@ class RoundedSweep {
   [[nodiscard]] bool is_level(const geometry::Ray<Number>& local) const {
     return sweep_ == Sweep::Rotational && local.direction.z == 0;
   }
+  [[nodiscard]] bool is_upright(const geometry::Ray<Number>& local) const {
+    return sweep_ == Sweep::Rotational && local.direction.x == 0 && local.direction.y == 0;
+  }
+  // The roots s of a piece along the ray, where its equation is not that of the whole piece.
+  [[nodiscard]] poly::RealRoots<Number> roots_of(const Piece& piece, const Equation& e,
+                                                 const geometry::Ray<Number>& local,
+                                                 const SweepSolvers& solvers) const;
+  void add_crossings(const geometry::Ray<Number>& local, std::uint32_t piece, const Number& s,
+                     std::vector<Crossing>& crossings) const;
 
   Sweep sweep_;
   int orientation_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 #include "surface/rounded_sweep.hpp"
@@ -48,7 +49,7 @@ void add_product(std::array<Number, 7>& sum, const Number& factor, const std::ar
 }
 
 template <number::RoundedNumber Number>
-Number of_larger_divisor(const std::array<std::array<Number, 2>, 3>& quotients) {
+Number of_larger_divisor(std::initializer_list<std::array<Number, 2>> quotients) {
   using std::abs;
   const auto best =
       std::max_element(quotients.begin(), quotients.end(),
@@ -63,7 +64,12 @@ RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact)
     : sweep_(exact.sweep()), orientation_(exact.contour().orientation()) {
   using Traits = number::number_traits<Number>;
   const geometry::Contour& contour = exact.contour();
-  for (std::size_t i = 0; i < contour.pieces().size(); ++i) {
+  const auto count = static_cast<std::uint32_t>(contour.pieces().size());
+  // Is there no surface where a piece begins or ends, but the axis?
+  const auto is_pole = [&](std::uint32_t neighbour, bool at_end_of_all) {
+    return (at_end_of_all && !contour.closed()) || !exact.sweeps(neighbour);
+  };
+  for (std::uint32_t i = 0; i < count; ++i) {
     const geometry::ContourPiece& from = contour.pieces()[i];
     const geometry::Rectangle& box = contour.boxes()[i];
     Piece piece{static_cast<int>(from.u.size()) - 1,
@@ -72,7 +78,10 @@ RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact)
                 detail::rounded_down<Number>(box.u_min),
                 detail::rounded_up<Number>(box.u_max),
                 detail::rounded_down<Number>(box.v_min),
-                detail::rounded_up<Number>(box.v_max)};
+                detail::rounded_up<Number>(box.v_max),
+                exact.sweeps(i),
+                is_pole((i + count - 1) % count, i == 0),
+                is_pole((i + 1) % count, i + 1 == count)};
     piece.u.fill(Number(0));
     piece.v.fill(Number(0));
     std::transform(from.u.begin(), from.u.end(), piece.u.begin(), Traits::from_exact);
@@ -158,87 +167,120 @@ bool RoundedSweep<Number>::rules_out(const Equation& e, const Piece& piece) {
 template <number::RoundedNumber Number>
 bool RoundedSweep<Number>::rules_out(const geometry::Ray<Number>& local,
                                      std::uint32_t piece) const {
-  if (is_level(local)) {
-    return local.origin.z < pieces_[piece].v_min || local.origin.z > pieces_[piece].v_max;
-  }
   return rules_out(equation(local), pieces_[piece]);
+}
+
+template <number::RoundedNumber Number>
+poly::RealRoots<Number> RoundedSweep<Number>::roots_of(const Piece& piece, const Equation& e,
+                                                       const geometry::Ray<Number>& local,
+                                                       const SweepSolvers& solvers) const {
+  using std::sqrt;
+  const auto& o = local.origin;
+  std::array<Number, 7> p;
+  p.fill(Number(0));
+  int degree = piece.degree;
+  if (is_level(local)) {
+    std::copy(piece.v.begin(), piece.v.end(), p.begin());
+    p[0] = p[0] - o.z;
+  } else if (is_upright(local)) {
+    std::copy(piece.u.begin(), piece.u.end(), p.begin());
+    p[0] = p[0] - sqrt(o.x * o.x + o.y * o.y);
+  } else {
+    for (std::size_t k = 0; k < piece.u.size(); ++k) {
+      p[k] = e.u * piece.u[k] + e.v * piece.v[k];
+    }
+    p[0] = p[0] + e.constant;
+    if (sweep_ == Sweep::Rotational) {
+      detail::add_product(p, e.vv, piece.v, piece.v);
+      detail::add_product(p, e.uu, piece.u, piece.u);
+      degree *= 2;
+    }
+  }
+  return poly::real_roots(std::span<const Number>(p.data(), static_cast<std::size_t>(degree) + 1),
+                          poly::Range<Number>{Number(0), Number(1)},
+                          degree == 6   ? solvers.sextic
+                          : degree == 3 ? solvers.cubic
+                                        : poly::default_solver(2));
+}
+
+template <number::RoundedNumber Number>
+void RoundedSweep<Number>::add_crossings(const geometry::Ray<Number>& local, std::uint32_t piece,
+                                         const Number& s, std::vector<Crossing>& crossings) const {
+  using std::sqrt;
+  const auto& [o, d] = local;
+  const Number u = detail::cubic_at(pieces_[piece].u, s);
+  const Number v = detail::cubic_at(pieces_[piece].v, s);
+  const auto add = [&](const Number& t) {
+    if (t - t == 0) {  // a ray parallel to a ruling meets it at infinity
+      crossings.push_back({t, s, piece});
+    }
+  };
+  switch (sweep_) {
+    case Sweep::Translational:
+      add(detail::of_larger_divisor<Number>({{u - o.x, d.x}, {v - o.y, d.y}}));
+      break;
+    case Sweep::Conic:
+      add(detail::of_larger_divisor<Number>({{o.z * u - o.x, d.x - d.z * u},
+                                             {o.z * v - o.y, d.y - d.z * v},
+                                             {o.y * u - o.x * v, d.x * v - d.y * u}}));
+      break;
+    case Sweep::Rotational:
+      if (is_level(local)) {
+        // The circle of radius u, by the ray's distance from the axis.
+        const Number a = d.x * d.x + d.y * d.y;
+        const Number half_b = d.x * o.x + d.y * o.y;
+        const Number across = d.x * o.y - d.y * o.x;
+        const Number discriminant = a * u * u - across * across;
+        if (discriminant > 0) {
+          const Number root = sqrt(discriminant);
+          add((-half_b - root) / a);
+          add((-half_b + root) / a);
+        }
+      } else {
+        add((v - o.z) / d.z);
+      }
+      break;
+  }
 }
 
 template <number::RoundedNumber Number>
 void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& local,
                                           const SweepSolvers& solvers,
                                           std::vector<Crossing>& crossings) const {
-  using std::sqrt;
   const auto& [o, d] = local;
-  const bool level = is_level(local);
   crossings.clear();
   if (sweep_ == Sweep::Translational && d.x == 0 && d.y == 0) {
     return;
   }
   const Equation e = equation(local);
-  const Number a = d.x * d.x + d.y * d.y;
-  const Number half_b = d.x * o.x + d.y * o.y;
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
-    if (rules_out(local, i)) {
+    if (!piece.sweeps || rules_out(e, piece)) {
       continue;
     }
-    std::array<Number, 7> p;
-    p.fill(Number(0));
-    int degree = piece.degree;
-    for (std::size_t k = 0; k < 4; ++k) {
-      p[k] = level ? piece.v[k] : Number(e.u * piece.u[k] + e.v * piece.v[k]);
+    // At the height of a flat piece, but beyond its rim.
+    const Number across = d.x * o.y - d.y * o.x;
+    if (is_level(local) && across * across > e.vv * piece.u_max * piece.u_max) {
+      continue;
     }
-    p[0] = level ? Number(p[0] - o.z) : Number(p[0] + e.constant);
-    if (sweep_ == Sweep::Rotational && !level) {
-      detail::add_product(p, e.vv, piece.v, piece.v);
-      detail::add_product(p, e.uu, piece.u, piece.u);
-      degree *= 2;
+    const poly::RealRoots<Number> roots = roots_of(piece, e, local, solvers);
+    if (roots.outcome == poly::Outcome::Everywhere) {
+      crossings.clear();
+      return;
     }
-    const poly::RealRoots<Number> roots =
-        poly::real_roots(std::span<const Number>(p.data(), static_cast<std::size_t>(degree) + 1),
-                         poly::Range<Number>{Number(0), Number(1)},
-                         degree == 6   ? solvers.sextic
-                         : degree == 3 ? solvers.cubic
-                                       : poly::default_solver(2));
+    bool passed_pole = false;
     for (int k = 0; k < roots.count; ++k) {
       const Number& s = roots.t[k];
-      const bool touches = roots.multiplicity[k] != 0 && roots.multiplicity[k] % 2 == 0;
-      if (touches || !(s < 1)) {
+      if ((piece.from_pole && s == 0) || (piece.to_pole && s == 1)) {
+        if (!passed_pole) {
+          add_crossings(local, i, s, crossings);
+        }
+        passed_pole = true;
         continue;
       }
-      const Number u = detail::cubic_at(piece.u, s);
-      const Number v = detail::cubic_at(piece.v, s);
-      const auto add = [&](const Number& t) {
-        if (t - t == 0) {
-          crossings.push_back({t, s, i});
-        }
-      };
-      switch (sweep_) {
-        case Sweep::Translational:
-          add(detail::of_larger_divisor<Number>(
-              {{{u - o.x, d.x}, {v - o.y, d.y}, {Number(0), Number(0)}}}));
-          break;
-        case Sweep::Conic:
-          add(detail::of_larger_divisor<Number>({{{o.z * u - o.x, d.x - d.z * u},
-                                                  {o.z * v - o.y, d.y - d.z * v},
-                                                  {o.y * u - o.x * v, d.x * v - d.y * u}}}));
-          break;
-        case Sweep::Rotational: {
-          if (!level) {
-            add((v - o.z) / d.z);
-            break;
-          }
-          // The circle of radius u, by the ray's distance from the axis.
-          const Number across = d.x * o.y - d.y * o.x;
-          const Number discriminant = a * u * u - across * across;
-          if (discriminant > 0) {
-            const Number root = sqrt(discriminant);
-            add((-half_b - root) / a);
-            add((-half_b + root) / a);
-          }
-          break;
-        }
+      const bool touches = roots.multiplicity[k] != 0 && roots.multiplicity[k] % 2 == 0;
+      if (!touches && s < 1) {
+        add_crossings(local, i, s, crossings);
       }
     }
   }

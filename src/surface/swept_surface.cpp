@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/contract.hpp"
@@ -91,6 +92,10 @@ InU determinant(const std::vector<std::vector<InU>>& m) {
     add(sum, multiply(m[0][column], determinant(minor)), column % 2 == 0 ? 1 : -1);
   }
   return sum;
+}
+
+bool is_on_axis(const ContourPiece& piece) {
+  return std::all_of(piece.u.begin(), piece.u.end(), [](const Rational& c) { return c.is_zero(); });
 }
 
 std::size_t degree_of(const ContourPiece& piece) {
@@ -202,10 +207,10 @@ bool is_off(const Range& x, const Range& w, const Rational& low, const Rational&
     const Range scaled = range_of(bound * w.low, bound * w.high);
     return Range{x.low - scaled.high, x.high - scaled.low};
   };
-  const Range above = minus(low);
-  const Range over = minus(high);
+  const Range from_low = minus(low);
+  const Range from_high = minus(high);
   return (w.low > 0 || w.high < 0) &&
-         ((above.high < 0 && over.high < 0) || (above.low > 0 && over.low > 0));
+         ((from_low.high < 0 && from_high.high < 0) || (from_low.low > 0 && from_high.low > 0));
 }
 
 // Of u >= 0 whose enclosure may begin a little left of the axis.
@@ -275,7 +280,8 @@ void add_roots(std::vector<Candidate>& candidates, const Polynomial& p,
   }
 }
 
-// Where a ray that stays on the curve of a piece, which is straight, passes the piece's ends.
+// Where a ray that stays on the curve of a piece passes the piece's ends: the piece is straight, or
+// the ray has one place in the plane, or that is the apex of a conic sweep, which is found here.
 void add_ends(std::vector<Candidate>& candidates, const PlaneRay& ray, const ContourPiece& piece,
               std::uint32_t index) {
   for (const Rational& s : {Rational(0), Rational(1)}) {
@@ -296,6 +302,43 @@ bool is_near(const Candidate& candidate, const PlaneRay& ray, const Rectangle& b
   const double high = candidate.t.upper();
   return !std::isfinite(low) || !std::isfinite(high) ||
          !misses(ray, {Rational(low), Rational(high)}, box);
+}
+
+// Doubles may not reach as far as a root.
+number::Enclosure bounds_of(const Root& root) {
+  return std::isfinite(root.lower()) && std::isfinite(root.upper())
+             ? number::Enclosure{Rational(root.lower()), Rational(root.upper())}
+             : enclosure(root, 1);
+}
+
+// Is the ray's point at this root in the rectangle? Exact.
+bool is_in(const PlaneRay& ray, const Root& t, const Rectangle& box) {
+  const auto sign = [&t](const Polynomial& p) {
+    return sign_at(number::with_cleared_denominators(p), t);
+  };
+  const int w = sign(ray.w);
+  // The sign of x / w - bound, for x / w as for u and v.
+  const auto beyond = [&](Polynomial x, const Rational& bound) {
+    add(x, ray.w, -bound);
+    return w * sign(x);
+  };
+  const Polynomial& u = ray.u ? *ray.u : ray.u_squared;
+  const Rational u_min = ray.u ? box.u_min : least_square(box);
+  const Rational u_max = ray.u ? box.u_max : Rational(box.u_max * box.u_max);
+  return beyond(u, u_min) >= 0 && beyond(u, u_max) <= 0 && beyond(ray.v, box.v_min) >= 0 &&
+         beyond(ray.v, box.v_max) <= 0;
+}
+
+// The piece that a ray crosses at the candidates of one t.
+std::uint32_t crossed_piece(const PlaneRay& ray, const Contour& contour,
+                            std::span<const Candidate> candidates) {
+  const auto on_piece = [&](const Candidate& candidate) {
+    return candidate.piece &&
+           (candidates.size() == 1 || is_in(ray, candidate.t, contour.boxes()[*candidate.piece]));
+  };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), on_piece);
+  LAMINA_REQUIRE(found != candidates.end(), "a ray gets inside through a piece");
+  return *found->piece;
 }
 
 // A rational between two different roots.
@@ -360,10 +403,13 @@ class PassingCount {
  public:
   PassingCount(const Contour& contour, const PlanePlace& place) : place_(place) {
     const auto pieces = contour.pieces();
+    const bool turned = !place_.u;
     for (std::size_t i = 0; i < pieces.size() && !on_contour_; ++i) {
-      go_along(pieces[i], contour.boxes()[i]);
+      if (!turned || !is_on_axis(pieces[i])) {
+        go_along(pieces[i], contour.boxes()[i]);
+      }
     }
-    // An open contour is closed along the axis, left of every place.
+    // An open contour is closed along the axis, which no place is left of.
     if (!on_contour_ && contour.closed() && last_sign_ != first_sign_) {
       count_at(pieces.front().u, Rational(0));
     }
@@ -438,6 +484,13 @@ SweptSurface::SweptSurface(Sweep sweep, std::shared_ptr<const Contour> contour)
   } else if (!contour_->closed()) {
     throw base::InputError("an open contour can only be turned about its axis: close it");
   }
+  if (contour_->orientation() == 0) {
+    throw base::InputError("the contour encloses nothing: move a point off the axis");
+  }
+}
+
+bool SweptSurface::sweeps(std::uint32_t piece) const {
+  return sweep_ != Sweep::Rotational || !is_on_axis(contour_->pieces()[piece]);
 }
 
 int SweptSurface::side(const ExactPoint& local) const {
@@ -465,7 +518,7 @@ SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
   const auto pieces = contour_->pieces();
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const Rectangle& box = contour_->boxes()[i];
-    if (ray.u ? line_misses(ray, box) : ring_is_missed(ray, box)) {
+    if (!sweeps(i) || (ray.u ? line_misses(ray, box) : ring_is_missed(ray, box))) {
       continue;
     }
     std::vector<Candidate> of_piece;
@@ -485,24 +538,20 @@ SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
 
   const auto side_at = [&](const Rational& t) { return side(local.origin + t * local.direction); };
   Crossings result;
-  int before =
-      side_at(candidates.empty() ? Rational(0) : Rational(candidates.front().t.lower()) - 1);
+  int before = side_at(candidates.empty() ? Rational(0)
+                                          : Rational(bounds_of(candidates.front().t).lower - 1));
   result.starts_inside = before < 0;
   result.in_boundary = before == 0;
   for (auto first = candidates.begin(); first != candidates.end() && !result.in_boundary;) {
     const auto end = std::find_if(first, candidates.end(), [first](const Candidate& later) {
       return compare(first->t, later.t) < 0;
     });
-    const int after = side_at(end == candidates.end() ? Rational(std::prev(end)->t.upper()) + 1
-                                                      : between(std::prev(end)->t, end->t));
+    const int after =
+        side_at(end == candidates.end() ? Rational(bounds_of(std::prev(end)->t).upper + 1)
+                                        : between(std::prev(end)->t, end->t));
     result.in_boundary = after == 0;
-    if (after != before) {
-      const auto piece =
-          std::find_if(first, end, [](const auto& c) { return c.piece.has_value(); });
-      LAMINA_REQUIRE(after == 0 || piece != end, "a ray gets inside through a piece");
-      if (piece != end) {
-        result.crossings.push_back({first->t, *piece->piece});
-      }
+    if (after == -before) {
+      result.crossings.push_back({first->t, crossed_piece(ray, *contour_, {first, end})});
     }
     before = after;
     first = end;

@@ -25,7 +25,7 @@ class SweptSurface {
  public:
   struct Crossing {
     number::Root t;
-    std::uint32_t piece = 0;  ///< of the contour; where two meet, the lower one
+    std::uint32_t piece = 0;  ///< of the contour; where two meet, the lower one; see crossings()
   };
 
   /// The crossings of a ray: where it goes from outside to inside or back, each at its exact t,
@@ -37,16 +37,21 @@ class SweptSurface {
   };
 
   /// Throws base::InputError for a contour that the sweep cannot have: an open one, but for
-  /// Rotational, or for that one with points left of the axis.
+  /// Rotational, for that one with points left of the axis, and one that encloses nothing.
   SweptSurface(Sweep sweep, std::shared_ptr<const geometry::Contour> contour);
 
   /// All crossings on the whole line of a ray in local coordinates; t is the same as in the world.
   /// Exact: s is eliminated from each piece, which leaves a polynomial in t of degree 3, or 6 of a
-  /// rotational sweep; between its isolated roots the ray's points are inside or not.
+  /// rotational sweep; between its isolated roots the ray's points are inside or not. Where the
+  /// curves of several pieces pass through one point, which may be beyond their ends, the crossing
+  /// is that of the lowest piece whose rectangle holds it.
   [[nodiscard]] Crossings crossings(const geometry::ExactRay& local) const;
 
   /// -1 inside, 0 on the surface, 1 outside: exact.
   [[nodiscard]] int side(const geometry::ExactPoint& local) const;
+
+  /// Is a piece part of the surface? One that a rotational sweep has on its axis is not.
+  [[nodiscard]] bool sweeps(std::uint32_t piece) const;
 
   [[nodiscard]] Sweep sweep() const { return sweep_; }
   [[nodiscard]] const geometry::Contour& contour() const { return *contour_; }
