@@ -4,8 +4,8 @@
     scripts/check_headers.py build/release
 
 Prints the compiler's messages. Headers that include number/traits.hpp or number/rational.hpp,
-directly or not, share one precompiled header of its Boost includes, which they begin with anyway:
-that is where nearly all of the time would go."""
+directly or not, share a precompiled header of its Boost includes, which they begin with anyway:
+that is where most of the time would go."""
 
 import concurrent.futures
 import json

@@ -153,14 +153,6 @@ std::vector<number::Root> turning_points(const Coefficients& c) {
   return roots;
 }
 
-Rational value(const Coefficients& c, const Rational& s) {
-  Rational sum = 0;
-  for (auto coefficient = c.rbegin(); coefficient != c.rend(); ++coefficient) {
-    sum = sum * s + *coefficient;
-  }
-  return sum;
-}
-
 // Bounds of the cubic's value at a zero of its derivative. At most w away from it the value differs
 // by at most w^2/2 max |f''| = w^2 (|c2| + 3 |c3|). Here w <= 2^-40, and of a control box of size 1
 // |c2| <= 6 and |c3| <= 4, so that the bounds exceed the value by less than 2^-74.
@@ -168,14 +160,14 @@ number::Enclosure extremum(const Coefficients& c, const number::Root& root) {
   const number::Enclosure s = number::enclosure(root, 40);
   const Rational lower = std::max(s.lower, Rational(0));  // |f''| is bounded on [0, 1] only
   const Rational width = std::min(s.upper, Rational(1)) - lower;
-  const Rational middle = value(c, lower);
+  const Rational middle = value_at(c, lower);
   const Rational error = width * width * (abs(c[2]) + 3 * abs(c[3]));
   return {middle - error, middle + error};
 }
 
 // The range of values on [0, 1].
 number::Enclosure range(const Coefficients& c) {
-  const Rational end = value(c, 1);
+  const Rational end = value_at(c, 1);
   number::Enclosure result{std::min(c[0], end), std::max(c[0], end)};
   for (const number::Root& root : turning_points(c)) {
     const number::Enclosure turn = extremum(c, root);
@@ -192,7 +184,7 @@ Rectangle tight_rectangle(const ContourPiece& piece, const Rectangle& control_bo
 }
 
 bool gets_negative(const Coefficients& c) {
-  if (c[0] < 0 || value(c, 1) < 0) {
+  if (c[0] < 0 || value_at(c, 1) < 0) {
     return true;
   }
   const number::IntegerPolynomial polynomial = number::with_cleared_denominators(c);
@@ -203,6 +195,14 @@ bool gets_negative(const Coefficients& c) {
 }
 
 }  // namespace
+
+Rational value_at(std::span<const Rational> ascending, const Rational& s) {
+  Rational sum = 0;
+  for (auto c = ascending.rbegin(); c != ascending.rend(); ++c) {
+    sum = sum * s + *c;
+  }
+  return sum;
+}
 
 Contour::Contour(std::vector<PlanePoint> points, ContourKind kind, bool closed)
     : points_(std::move(points)), kind_(kind), closed_(closed) {

@@ -31,6 +31,9 @@ struct ContourPiece {
   std::vector<number::Rational> v;  ///< as many
 };
 
+/// The value of a polynomial with these coefficients, ascending.
+number::Rational value_at(std::span<const number::Rational> ascending, const number::Rational& s);
+
 struct Rectangle {
   number::Rational u_min;
   number::Rational u_max;

@@ -26,7 +26,7 @@ class RoundedSweep {
 
   struct Crossing {
     Number t;
-    Number s;  ///< the contour's parameter on the piece, 0 <= s < 1
+    Number s;  ///< the contour's parameter on the piece, 0 <= s < 1, or 1 at the axis
     std::uint32_t piece = 0;
   };
 
@@ -86,7 +86,7 @@ class RoundedSweep {
   [[nodiscard]] bool is_upright(const geometry::Ray<Number>& local) const {
     return sweep_ == Sweep::Rotational && local.direction.x == 0 && local.direction.y == 0;
   }
-  // The roots s of a piece along the ray, where its equation is not that of the whole piece.
+  // The s in 0 .. 1 at which the piece's equation holds for the ray.
   [[nodiscard]] poly::RealRoots<Number> roots_of(const Piece& piece, const Equation& e,
                                                  const geometry::Ray<Number>& local,
                                                  const SweepSolvers& solvers) const;

@@ -253,13 +253,13 @@ void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& local,
     return;
   }
   const Equation e = equation(local);
+  const Number across = d.x * o.y - d.y * o.x;
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
     if (!piece.sweeps || rules_out(e, piece)) {
       continue;
     }
     // At the height of a flat piece, but beyond its rim.
-    const Number across = d.x * o.y - d.y * o.x;
     if (is_level(local) && across * across > e.vv * piece.u_max * piece.u_max) {
       continue;
     }

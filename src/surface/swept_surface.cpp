@@ -17,6 +17,7 @@ using geometry::ContourPiece;
 using geometry::ExactPoint;
 using geometry::ExactRay;
 using geometry::Rectangle;
+using geometry::value_at;
 using number::IntegerPolynomial;
 using number::Rational;
 using number::Root;
@@ -47,14 +48,6 @@ void add(Polynomial& a, const Polynomial& b, const Rational& factor = 1) {
 Polynomial shifted(Polynomial p, const Rational& by) {
   p.front() += by;
   return p;
-}
-
-Rational value(const Polynomial& p, const Rational& t) {
-  Rational sum = 0;
-  for (auto c = p.rbegin(); c != p.rend(); ++c) {
-    sum = sum * t + *c;
-  }
-  return sum;
 }
 
 // A polynomial in u, which need not be rational, whose coefficients are polynomials in t.
@@ -189,11 +182,11 @@ Range range_of(const Rational& a, const Rational& b) { return a < b ? Range{a, b
 
 // A polynomial of degree 2 at most over an interval of t.
 Range range_over(const Polynomial& p, const Range& t) {
-  Range range = range_of(value(p, t.low), value(p, t.high));
+  Range range = range_of(value_at(p, t.low), value_at(p, t.high));
   if (p.size() > 2 && !p[2].is_zero()) {
     const Rational turn = -p[1] / (2 * p[2]);
     if (t.low < turn && turn < t.high) {
-      const Rational extreme = value(p, turn);
+      const Rational extreme = value_at(p, turn);
       range = {std::min(range.low, extreme), std::max(range.high, extreme)};
     }
   }
@@ -262,7 +255,7 @@ bool ring_is_missed(const PlaneRay& ray, const Rectangle& box) {
   }
   // Least where the ray is nearest to the axis; it has a direction across.
   const Rational nearest = -ray.u_squared[1] / (2 * ray.u_squared[2]);
-  return value(ray.u_squared, nearest) > box.u_max * box.u_max;
+  return value_at(ray.u_squared, nearest) > box.u_max * box.u_max;
 }
 
 struct Candidate {
@@ -270,7 +263,8 @@ struct Candidate {
   std::optional<std::uint32_t> piece;  // none where nothing but the ray's sample points may change
 };
 
-void add_roots(std::vector<Candidate>& candidates, const Polynomial& p,
+// False for the zero polynomial, which has no roots of its own.
+bool add_roots(std::vector<Candidate>& candidates, const Polynomial& p,
                const std::optional<std::uint32_t>& piece) {
   const IntegerPolynomial integral = number::with_cleared_denominators(p);
   if (integral.degree() > 0) {
@@ -278,6 +272,7 @@ void add_roots(std::vector<Candidate>& candidates, const Polynomial& p,
       candidates.push_back({root, piece});
     }
   }
+  return !integral.is_zero();
 }
 
 // Where a ray that stays on the curve of a piece passes the piece's ends: the piece is straight, or
@@ -286,9 +281,9 @@ void add_ends(std::vector<Candidate>& candidates, const PlaneRay& ray, const Con
               std::uint32_t index) {
   for (const Rational& s : {Rational(0), Rational(1)}) {
     Polynomial v = ray.v;
-    add(v, ray.w, -value(piece.v, s));
+    add(v, ray.w, -value_at(piece.v, s));
     add_roots(candidates, v, index);
-    const Rational u_end = value(piece.u, s);
+    const Rational u_end = value_at(piece.u, s);
     Polynomial u = ray.u ? *ray.u : shifted(ray.u_squared, -u_end * u_end);
     if (ray.u) {
       add(u, ray.w, -u_end);
@@ -370,7 +365,7 @@ int side_in_u(const Polynomial& u, const PlanePlace& place, const Parameter& s) 
   if constexpr (std::is_same_v<Parameter, Root>) {
     return sign_at(number::with_cleared_denominators(difference), s);
   } else {
-    return value(difference, s).sign();
+    return value_at(difference, s).sign();
   }
 }
 
@@ -522,11 +517,8 @@ SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
       continue;
     }
     std::vector<Candidate> of_piece;
-    const Polynomial f = eliminated(pieces[i], ray);
-    if (number::with_cleared_denominators(f).is_zero()) {
+    if (!add_roots(of_piece, eliminated(pieces[i], ray), i)) {
       add_ends(of_piece, ray, pieces[i], i);
-    } else {
-      add_roots(of_piece, f, i);
     }
     std::copy_if(of_piece.begin(), of_piece.end(), std::back_inserter(candidates),
                  [&](const Candidate& c) { return is_near(c, ray, box); });

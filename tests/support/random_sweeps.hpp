@@ -61,15 +61,9 @@ inline std::vector<geometry::PlanePoint> any_profile(base::SeededStream& stream)
 
 // Nothing where a spline crosses itself, or gets left of the axis. A star and a profile that are
 // polygons never do.
-inline std::optional<surface::SweptSurface> any_swept_surface(base::SeededStream& stream,
-                                                              surface::Sweep sweep,
-                                                              geometry::ContourKind kind) {
-  const bool turned = sweep == surface::Sweep::Rotational;
-  const bool closed = !turned || stream.chance(0.5);
-  const geometry::PlanePoint centre{turned ? number::Rational(2) : any_dyadic(stream, -1, 1),
-                                    any_dyadic(stream, -1, 1)};
-  std::vector<geometry::PlanePoint> points =
-      closed ? any_star(stream, centre) : any_profile(stream);
+inline std::optional<surface::SweptSurface> swept_surface(surface::Sweep sweep,
+                                                          std::vector<geometry::PlanePoint> points,
+                                                          geometry::ContourKind kind, bool closed) {
   try {
     return surface::SweptSurface(
         sweep, std::make_shared<const geometry::Contour>(std::move(points), kind, closed));
@@ -79,6 +73,17 @@ inline std::optional<surface::SweptSurface> any_swept_surface(base::SeededStream
     }
     return std::nullopt;
   }
+}
+
+inline std::optional<surface::SweptSurface> any_swept_surface(base::SeededStream& stream,
+                                                              surface::Sweep sweep,
+                                                              geometry::ContourKind kind) {
+  const bool turned = sweep == surface::Sweep::Rotational;
+  const bool closed = !turned || stream.chance(0.5);
+  const geometry::PlanePoint centre{turned ? number::Rational(2) : any_dyadic(stream, -1, 1),
+                                    any_dyadic(stream, -1, 1)};
+  return swept_surface(sweep, closed ? any_star(stream, centre) : any_profile(stream), kind,
+                       closed);
 }
 
 }  // namespace lamina::support
