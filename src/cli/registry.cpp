@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/contract.hpp"
 #include "base/text.hpp"
@@ -80,16 +81,12 @@ std::vector<poly::Solver> parse_solver_list(const std::string& text) {
 poly::Solvers parse_solvers(const std::string& text) {
   poly::Solvers solvers;
   for (const poly::Solver solver : parse_solver_list(text)) {
-    if (!poly::fits(solver, 2) && !poly::fits(solver, 4)) {
-      throw base::InputError(fmt::format(
-          "solver '{}' is for cubics, which no surface has: take it with `lamina solve`",
-          poly::solver_info(solver).name));
-    }
-    if (poly::fits(solver, 2)) {
-      solvers.quadratic = solver;
-    }
-    if (poly::fits(solver, 4)) {
-      solvers.quartic = solver;
+    for (const auto& [degree, chosen] :
+         {std::pair(2, &solvers.quadratic), std::pair(3, &solvers.cubic),
+          std::pair(4, &solvers.quartic), std::pair(6, &solvers.sextic)}) {
+      if (poly::fits(solver, degree)) {
+        *chosen = solver;
+      }
     }
   }
   return solvers;

@@ -71,10 +71,14 @@ enum class Recentring : std::uint8_t {
 Recentring parse_recentring(std::string_view name);
 std::string_view name_of(Recentring recentring);
 
-/// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial.
+/// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial:
+/// of degree 2 (quadrics) and 4 (tori) in t, 3 and 6 (sweeps of splines) in the contour's
+/// parameter.
 struct Solvers {
   Solver quadratic = default_solver(2);
   Solver quartic = default_solver(4);
+  Solver cubic = default_solver(3);
+  Solver sextic = default_solver(6);
   Recentring recentring = Recentring::Tori;
   RootFault fault{};
 };

@@ -360,28 +360,35 @@ class Builder {
     const Arguments arguments(source_, node, primitive.signature);
     const FacetSettings facets = arguments.facets(context.facets);
     const Solid solid = primitive.read(arguments, options_.facets ? &facets : nullptr);
-    if (solid.parts.empty()) {
+    if (solid.parts.empty() && solid.solids.empty()) {
       warn(node, "its size is zero, so it is empty");
       return Expression::empty();
     }
     const Medium medium =
         context.medium != csg::kEmpty ? context.medium : medium_named("default", arguments);
-    const std::string path = context.path_to(primitive.name);
-    std::vector<Expression> leaves;
-    for (const Solid::Part& part : solid.parts) {
-      leaves.push_back(Expression::of_leaf(static_cast<csg::LeafIndex>(drafts_.size())));
-      Leaf leaf;
-      leaf.surface = part.surface;
-      leaf.frame = static_cast<std::uint32_t>(placed_.size());
-      leaf.medium = medium;
-      leaf.path = part.name.empty() ? path : path + "." + part.name;
-      drafts_.push_back(std::move(leaf));
-    }
     placed_.push_back({inverse(context.to_world).value(), std::nullopt});
     if (solid.box) {
       placed_.back().box = image(context.to_world, *solid.box);
     }
-    return Expression::of(solid.op, std::move(leaves));
+    return expression(solid, medium, context.path_to(primitive.name));
+  }
+
+  // Of a solid in the frame that was placed last.
+  Expression expression(const Solid& solid, Medium medium, const std::string& path) {
+    std::vector<Expression> operands;
+    for (const Solid::Part& part : solid.parts) {
+      operands.push_back(Expression::of_leaf(static_cast<csg::LeafIndex>(drafts_.size())));
+      Leaf leaf;
+      leaf.surface = part.surface;
+      leaf.frame = static_cast<std::uint32_t>(placed_.size() - 1);
+      leaf.medium = medium;
+      leaf.path = part.name.empty() ? path : path + "." + part.name;
+      drafts_.push_back(std::move(leaf));
+    }
+    for (std::size_t k = 0; k < solid.solids.size(); ++k) {
+      operands.push_back(expression(solid.solids[k], medium, fmt::format("{}[{}]", path, k + 1)));
+    }
+    return Expression::of(solid.op, std::move(operands));
   }
 
   static std::vector<const Node*> children(const Node& node) {

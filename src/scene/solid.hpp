@@ -1,4 +1,4 @@
-// A primitive solid in its own coordinates: half-spaces under one operator.
+// A primitive solid in its own coordinates: half-spaces and other solids under one operator.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ struct Solid {
   };
 
   csg::Operator op = csg::Operator::Intersection;
-  std::vector<Part> parts{};    ///< none: the solid is empty
+  std::vector<Part> parts{};
+  std::vector<Solid> solids{};  ///< operands after the parts; without either the solid is empty
   std::optional<Bounds> box{};  ///< none: the solid is unbounded, or empty
 };
 

@@ -11,13 +11,6 @@
 
 namespace lamina::surface {
 
-/// Which solver finds the contour parameter of a crossing: of the cubics of translational and conic
-/// sweeps (and of the rays of a rotational one that stay at one z), and of sextics.
-struct SweepSolvers {
-  poly::Solver cubic = poly::default_solver(3);
-  poly::Solver sextic = poly::default_solver(6);
-};
-
 /// A sweep in local coordinates, its contour's pieces rounded once.
 template <number::RoundedNumber Number>
 class RoundedSweep {
@@ -47,7 +40,7 @@ class RoundedSweep {
   ///         the more off the farther away the ray starts, and with them s; and as a ray gets
   ///         nearly level, t is off by some u (|d| / d_z)^2: for |d_z| below some sqrt(u) |d| its
   ///         two crossings of a steep piece are lost.
-  void find_crossings(const geometry::Ray<Number>& local, const SweepSolvers& solvers,
+  void find_crossings(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
                       std::vector<Crossing>& crossings) const;
 
   /// Are all of the piece's points off the ray, for certain if nothing underflows? Van Wijk's
@@ -89,7 +82,7 @@ class RoundedSweep {
   // The s in 0 .. 1 at which the piece's equation holds for the ray.
   [[nodiscard]] poly::RealRoots<Number> roots_of(const Piece& piece, const Equation& e,
                                                  const geometry::Ray<Number>& local,
-                                                 const SweepSolvers& solvers) const;
+                                                 const poly::Solvers& solvers) const;
   void add_crossings(const geometry::Ray<Number>& local, std::uint32_t piece, const Number& s,
                      std::vector<Crossing>& crossings) const;
 

@@ -173,7 +173,7 @@ bool RoundedSweep<Number>::rules_out(const geometry::Ray<Number>& local,
 template <number::RoundedNumber Number>
 poly::RealRoots<Number> RoundedSweep<Number>::roots_of(const Piece& piece, const Equation& e,
                                                        const geometry::Ray<Number>& local,
-                                                       const SweepSolvers& solvers) const {
+                                                       const poly::Solvers& solvers) const {
   using std::sqrt;
   const auto& o = local.origin;
   std::array<Number, 7> p;
@@ -245,7 +245,7 @@ void RoundedSweep<Number>::add_crossings(const geometry::Ray<Number>& local, std
 
 template <number::RoundedNumber Number>
 void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& local,
-                                          const SweepSolvers& solvers,
+                                          const poly::Solvers& solvers,
                                           std::vector<Crossing>& crossings) const {
   const auto& [o, d] = local;
   crossings.clear();
