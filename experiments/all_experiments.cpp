@@ -37,6 +37,7 @@ const std::vector<Experiment>& all_experiments() {
                                            ray_tree_depth(),
                                            same_medium(),
                                            root_faults(),
+                                           sweep_coincidence(),
                                            gap_ulps(),
                                            real_models(),
                                            solver_accuracy(),

@@ -30,6 +30,7 @@ Experiment self_sum();
 Experiment solver_accuracy();
 Experiment solver_effect();
 Experiment start_state();
+Experiment sweep_coincidence();
 Experiment thin_wall();
 Experiment touching_stack();
 

@@ -216,11 +216,11 @@ bool is_generic(const Scene& scene, const ExactRay& ray) {
   surface::RayMonomials monomials(ray);
   std::vector<number::Root> roots;
   for (const surface::Carrier& carrier : scene.carriers) {
-    const auto polynomial = monomials.restrict(carrier);
-    if (polynomial.is_zero()) {
+    const surface::CarrierOnRay on_ray(carrier, ray, monomials);
+    if (on_ray.contains_ray() || !on_ray.touches().empty()) {
       return false;
     }
-    for (number::Root& root : number::real_roots(polynomial)) {
+    for (number::Root& root : on_ray.crossings()) {
       if (root.multiplicity() > 1 || compare(root, Rational(0)) == 0) {
         return false;
       }

@@ -36,15 +36,22 @@ struct SceneOptions {
 struct SolverOptions {
   std::string names;
   std::string recentred{poly::name_of(poly::Solvers().recentring)};
+  std::string search{poly::name_of(poly::Solvers().search)};
 
   void add_to(CLI::App& command) {
-    command.add_option("--solver", names,
-                       "root finders of quadrics and tori, separated by commas, in place of the "
-                       "default ones (lamina list solvers)");
+    command.add_option(
+        "--solver", names,
+        "root finders of quadrics, tori and sweeps, separated by commas, in place of the "
+        "default ones (lamina list solvers)");
     command
         .add_option("--recentred", recentred,
                     "whose rays are solved for from their point nearest to the surface's centre: "
                     "none, tori (from afar), all (quadrics too)")
+        ->capture_default_str();
+    command
+        .add_option("--search", search,
+                    "how sweeps of splines are searched for crossings: polynomial (by --solver), "
+                    "subdivision, strip-tree")
         ->capture_default_str();
   }
   /// Those named, in their order; none by default.
@@ -54,6 +61,7 @@ struct SolverOptions {
   [[nodiscard]] poly::Solvers solvers() const {
     poly::Solvers solvers = names.empty() ? poly::Solvers() : parse_solvers(names);
     solvers.recentring = poly::parse_recentring(recentred);
+    solvers.search = poly::parse_sweep_search(search);
     return solvers;
   }
 };
@@ -61,9 +69,13 @@ struct SolverOptions {
 /// What `lamina explain` needs besides scene and ray to see what these options made of them:
 /// those that are not the defaults, each behind a blank.
 inline std::string replay_options(const scene::ReadOptions& read, const SolverOptions& solvers) {
-  const bool as_ever = solvers.recentred == SolverOptions().recentred;
+  const SolverOptions as_ever;
+  const auto other = [](const char* option, const std::string& given, const std::string& usual) {
+    return given == usual ? std::string() : option + given;
+  };
   return std::string(read.facets ? " --facets" : "") +
-         (as_ever ? std::string() : " --recentred " + solvers.recentred) +
+         other(" --recentred ", solvers.recentred, as_ever.recentred) +
+         other(" --search ", solvers.search, as_ever.search) +
          (solvers.names.empty() ? std::string() : " --solver " + solvers.names);
 }
 

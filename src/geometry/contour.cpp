@@ -204,6 +204,29 @@ Rational value_at(std::span<const Rational> ascending, const Rational& s) {
   return sum;
 }
 
+std::string_view name_of(ContourKind kind) {
+  switch (kind) {
+    case ContourKind::Line:
+      return "line";
+    case ContourKind::BSpline:
+      return "bspline";
+    case ContourKind::CatmullRom:
+      break;
+  }
+  return "catmull_rom";
+}
+
+ContourKind parse_contour_kind(std::string_view name) {
+  for (const ContourKind kind :
+       {ContourKind::Line, ContourKind::BSpline, ContourKind::CatmullRom}) {
+    if (name_of(kind) == name) {
+      return kind;
+    }
+  }
+  throw base::InputError(
+      fmt::format("unknown kind of contour '{}': one of line, bspline, catmull_rom", name));
+}
+
 Contour::Contour(std::vector<PlanePoint> points, ContourKind kind, bool closed)
     : points_(std::move(points)), kind_(kind), closed_(closed) {
   require_points(points_, closed);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "number/rational.hpp"
@@ -24,6 +25,11 @@ enum class ContourKind : std::uint8_t {
   BSpline,     ///< the uniform cubic B-spline: near the points, with second-order continuity
   CatmullRom,  ///< the cubic Catmull-Rom spline: through the points, with first-order continuity
 };
+
+/// `line`, `bspline`, `catmull_rom`: what a scene calls them.
+std::string_view name_of(ContourKind kind);
+/// Throws base::InputError that lists them.
+ContourKind parse_contour_kind(std::string_view name);
 
 /// (u(s), v(s)) for 0 <= s < 1.
 struct ContourPiece {

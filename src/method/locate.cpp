@@ -35,7 +35,10 @@ Integer coefficient(const IntegerPolynomial& polynomial, int power) {
 class LocalTree {
  public:
   LocalTree(const scene::Scene& scene, const ExactPoint& point)
-      : scene_(scene), at_point_({point, {0, 0, 0}}), signs_(scene.carriers.size(), kUnknown) {
+      : scene_(scene),
+        point_(point),
+        at_point_({point, {0, 0, 0}}),
+        signs_(scene.carriers.size(), kUnknown) {
     root_ = scene.tree.empty() ? constant(kEmpty) : reduced(scene.tree.root());
   }
 
@@ -83,10 +86,17 @@ class LocalTree {
   int sign(surface::CarrierIndex carrier) {
     std::int8_t& sign = signs_[carrier];
     if (sign == kUnknown) {
-      const IntegerPolynomial value = at_point_.restrict(scene_.carriers[carrier]);
-      sign = static_cast<std::int8_t>(value.is_zero() ? 0 : value[0].sign());
+      sign = static_cast<std::int8_t>(sign_of(scene_.carriers[carrier]));
     }
     return sign;
+  }
+
+  int sign_of(const surface::Carrier& carrier) {
+    if (carrier.sweep) {
+      return sign_at(carrier, point_);
+    }
+    const IntegerPolynomial value = at_point_.restrict(carrier);
+    return value.is_zero() ? 0 : value[0].sign();
   }
 
   std::size_t reduced_leaf(const scene::Leaf& leaf) {
@@ -135,6 +145,7 @@ class LocalTree {
   }
 
   const scene::Scene& scene_;
+  const ExactPoint& point_;
   RayMonomials at_point_;
   std::vector<std::int8_t> signs_;  // by carrier, as far as they were asked for
   std::vector<Node> nodes_;
@@ -158,20 +169,40 @@ class Surroundings {
     std::array<RayMonomials, 3> axes{RayMonomials({point, {1, 0, 0}}),
                                      RayMonomials({point, {0, 1, 0}}),
                                      RayMonomials({point, {0, 0, 1}})};
+    const auto add = [&](const surface::Carrier& carrier, int side) {
+      carriers_.push_back(carrier);
+      gradients_.push_back(Integer(side) *
+                           IntegerVector{coefficient(axes[0].restrict(carrier), 1),
+                                         coefficient(axes[1].restrict(carrier), 1),
+                                         coefficient(axes[2].restrict(carrier), 1)});
+    };
     for (const surface::CarrierIndex index : tree.carriers()) {
       const surface::Carrier& carrier = scene.carriers[index];
-      carriers_.push_back(&carrier);
-      gradients_.push_back({coefficient(axes[0].restrict(carrier), 1),
-                            coefficient(axes[1].restrict(carrier), 1),
-                            coefficient(axes[2].restrict(carrier), 1)});
+      Stretch stretch{carriers_.size()};
+      if (!carrier.sweep) {
+        add(carrier, 1);
+      } else if (const auto facets = facets_at(*carrier.sweep, point)) {
+        for (const ExactPoint& normal : facets->normals) {
+          const auto plane = carrier_of(surface::plane(normal, dot(normal, point)), {});
+          add(plane.carrier, plane.side);
+        }
+        stretch.convex = facets->convex;
+      } else {
+        known_ = false;
+        return;
+      }
+      stretch.end = carriers_.size();
+      of_tree_.push_back(stretch);
     }
   }
 
+  /// Does each carrier have a polynomial around the point?
+  [[nodiscard]] bool known() const { return known_; }
+
   Location look() {
     if (std::none_of(gradients_.begin(), gradients_.end(), is_zero)) {
-      for_each_cell(gradients_, [this](const auto&, std::span<const int> signs) {
-        return see(tree_.medium(signs));
-      });
+      for_each_cell(gradients_,
+                    [this](const auto&, std::span<const int> signs) { return see(medium(signs)); });
     }
     Location location;
     if (!boundary()) {
@@ -190,6 +221,24 @@ class Surroundings {
   }
 
  private:
+  // The planes that stand for one of the tree's carriers around the point, or the carrier itself.
+  struct Stretch {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    bool convex = true;
+  };
+
+  // Where the carriers here have these signs.
+  [[nodiscard]] Medium medium(std::span<const int> signs) const {
+    std::vector<int> of_tree;
+    for (const auto& [begin, end, convex] : of_tree_) {
+      const auto planes = signs.subspan(begin, end - begin);
+      of_tree.push_back(convex ? *std::max_element(planes.begin(), planes.end())
+                               : *std::min_element(planes.begin(), planes.end()));
+    }
+    return tree_.medium(of_tree);
+  }
+
   [[nodiscard]] bool boundary() const { return seen_.contains(kEmpty) && seen_.size() > 1; }
 
   // Returns whether another medium could still change the answer.
@@ -204,7 +253,7 @@ class Surroundings {
     constexpr int kReach = 2;  // samples are combinations with factors -2 .. 2
     std::vector<IntegerVector> result;
     if (std::all_of(carriers_.begin(), carriers_.end(),
-                    [](const surface::Carrier* carrier) { return carrier->degree == 1; })) {
+                    [](const surface::Carrier& carrier) { return carrier.degree == 1; })) {
       return result;
     }
     if (std::any_of(gradients_.begin(), gradients_.end(), is_zero)) {
@@ -247,7 +296,7 @@ class Surroundings {
     for (std::size_t k = 0; k < carriers_.size(); ++k) {
       if (dot(gradients_[k], edge).is_zero()) {
         ++tangent;
-        share_line = share_line && line.restrict(*carriers_[k]).is_zero();
+        share_line = share_line && line.restrict(carriers_[k]).is_zero();
       }
     }
     return tangent == 2 || share_line;
@@ -265,7 +314,7 @@ class Surroundings {
     std::vector<IntegerVector> normals;
     for (std::size_t k = 0; k < carriers_.size(); ++k) {
       const Integer slope = dot(gradients_[k], direction);
-      const Integer bend = coefficient(line.restrict(*carriers_[k]), 2);
+      const Integer bend = coefficient(line.restrict(carriers_[k]), 2);
       if (is_zero(gradients_[k])) {
         if (bend.is_zero()) {
           return;  // the sign is of a higher order
@@ -287,16 +336,35 @@ class Surroundings {
       for (std::size_t i = 0; i < tangent.size(); ++i) {
         signs[tangent[i]] = found[i];
       }
-      return see(tree_.medium(signs));
+      return see(medium(signs));
     });
   }
 
   const ExactPoint& point_;
   const LocalTree& tree_;
-  std::vector<const surface::Carrier*> carriers_;
+  bool known_ = true;
+  std::vector<surface::Carrier> carriers_;  // of flat sides of a sweep, their planes
+  std::vector<Stretch> of_tree_;
   std::vector<IntegerVector> gradients_;  // times one positive factor for each carrier
   std::set<Medium> seen_;
 };
+
+// Where a sweep that is curved there is among the carriers of the point.
+Location location_on_sweep(const LocalTree& tree) {
+  Location location;
+  if (tree.carriers().size() == 1) {
+    // Near every point of a contour that does not touch itself is its inside and its outside.
+    const Medium inside = tree.medium(std::array{-1});
+    const Medium outside = tree.medium(std::array{1});
+    location.boundary = (inside == kEmpty) != (outside == kEmpty);
+  } else {
+    location.undecided = true;
+  }
+  if (!location.boundary) {
+    location.medium = tree.medium_if_closed();
+  }
+  return location;
+}
 
 }  // namespace
 
@@ -305,7 +373,8 @@ Location locate_exact(const scene::Scene& scene, const ExactPoint& point) {
   if (tree.decided()) {
     return {.medium = tree.medium_if_closed()};
   }
-  return Surroundings(scene, point, tree).look();
+  Surroundings surroundings(scene, point, tree);
+  return surroundings.known() ? surroundings.look() : location_on_sweep(tree);
 }
 
 }  // namespace lamina::method

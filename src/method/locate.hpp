@@ -25,7 +25,8 @@ struct Location {
 /// tangent planes cut space into cells, which are all looked at. They are not all where
 /// curved carriers touch, where three surfaces meet along one tangent line, and where a
 /// gradient is zero (the apex of a cone). There, cells to the second order in many directions
-/// are looked at too: what they show is true, but if they agree, `undecided` is set.
+/// are looked at too: what they show is true, but if they agree, `undecided` is set. So it is where
+/// a swept contour and another carrier that matters go through the point, but for flat sides.
 /// Cost: the leaves that the tree asks for; O(k^3) for k tangent planes, less on the boundary.
 Location locate_exact(const scene::Scene& scene, const geometry::ExactPoint& point);
 

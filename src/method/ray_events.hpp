@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "poly/solver.hpp"
 #include "scene/rounding.hpp"
 #include "surface/carrier.hpp"
 #include "surface/rounded_surface.hpp"
+#include "surface/rounded_sweep.hpp"
 
 namespace lamina::method {
 
@@ -36,12 +38,15 @@ template <number::RealNumber Number>
 class RayEvents {
  public:
   using Root = typename number::number_traits<Number>::Root;
+  /// Where on its contour a sweep is crossed; nothing of other surfaces.
+  using Place = typename surface::RoundedSweep<Number>::Crossing;
 
   RayEvents(const scene::Scene& scene, const poly::Solvers& solvers);
 
   void find(const geometry::ExactRay& ray);
   /// The ray starts on the surface of the leaves in `left`: their root t = 0 is divided out,
-  /// and stands among the crossings as exactly 0.
+  /// and stands among the crossings as exactly 0. Of a sweep, which has no polynomial in t to
+  /// divide, the crossing that is nearest to 0 is taken for it.
   void find(const geometry::Ray<Number>& ray, std::span<const csg::LeafIndex> left = {});
   /// Sorts the crossings anew, ties by rank[leaf].
   void reorder(std::span<const csg::LeafIndex> rank);
@@ -74,24 +79,38 @@ class RayEvents {
   }
   /// origin + t direction, each coordinate rounded.
   [[nodiscard]] geometry::Vector3<Number> point(const Root& t) const;
-  /// The gradient of the leaf's f at a point of the world; outward for a closed solid.
+  [[nodiscard]] Place place(const Crossing<Number>& crossing) const {
+    return is_sweep(crossing.leaf) ? places_[crossing.leaf][crossing.index] : Place{};
+  }
+  /// The gradient of the leaf's f at a point of the world; outward for a closed solid. Of a sweep,
+  /// the normal at a crossing's place.
   [[nodiscard]] geometry::Vector3<Number> gradient(csg::LeafIndex leaf,
-                                                   const geometry::Vector3<Number>& point) const;
+                                                   const geometry::Vector3<Number>& point,
+                                                   const Place& place) const;
   /// A bound on the distance from a point of the world, which is near the leaf's surface, beyond
   /// which the surface does not reach, and f computed there has its exact sign, to first order in
   /// the distance: (|f| + 3 gamma_n F) / |gradient|, where F is f with all signs made positive and
   /// n counts the roundings on the way from the scene's numbers to f (Higham 2002, 3.1). The form
   /// is that of pbrt 4e, 6.8; it takes the residual |f| where pbrt first moves the point onto
   /// the surface. Of the three F's, one is for f at the point, one for f where the ray starts, and
-  /// one for rounding that start.
-  [[nodiscard]] Number distance_bound(csg::LeafIndex leaf,
-                                      const geometry::Vector3<Number>& point) const;
+  /// one for rounding that start. Of a sweep, f is that of the tangent plane at the place.
+  [[nodiscard]] Number distance_bound(csg::LeafIndex leaf, const geometry::Vector3<Number>& point,
+                                      const Place& place) const;
 
  private:
   struct LeafData {
     std::uint32_t frame;
-    surface::RoundedSurface<Number> surface;
+    std::variant<surface::RoundedSurface<Number>, surface::RoundedSweep<Number>> surface;
   };
+
+  [[nodiscard]] bool is_sweep(csg::LeafIndex leaf) const {
+    return leaves_[leaf].surface.index() == 1;
+  }
+  void add_crossing(csg::LeafIndex leaf, std::size_t index, const Number& t, bool enters,
+                    const geometry::Vector3<Number>& local_gradient);
+  void find_on_surface(csg::LeafIndex leaf, const surface::RoundedSurface<Number>& surface,
+                       bool is_left);
+  void find_on_sweep(csg::LeafIndex leaf, const surface::RoundedSweep<Number>& sweep, bool is_left);
 
   const scene::Scene* scene_;
   poly::Solvers solvers_;
@@ -100,6 +119,8 @@ class RayEvents {
   geometry::Ray<Number> ray_;
   std::vector<geometry::Ray<Number>> local_rays_;
   std::vector<Crossing<Number>> crossings_;
+  std::vector<std::vector<Place>> places_;  // by leaf, of sweeps; by the crossing's index
+  mutable std::vector<Place> scratch_;
   std::vector<std::uint8_t> starts_inside_;
   std::vector<std::uint8_t> in_carrier_;
 };
@@ -132,7 +153,7 @@ class RayEvents<number::exact> {
 
  private:
   const scene::Scene* scene_;
-  std::vector<number::IntegerPolynomial> polynomials_;  // by carrier
+  std::vector<surface::CarrierOnRay> carriers_;
   std::vector<Crossing<number::exact>> crossings_;
   std::vector<std::uint8_t> starts_inside_;
   std::vector<std::uint8_t> in_carrier_;

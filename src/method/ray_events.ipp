@@ -16,8 +16,16 @@ RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& sol
     frames_.emplace_back(scene::inverse_of_rounded_placement(frame, scene::rounding<Number>));
   }
   for (const scene::Leaf& leaf : scene.leaves) {
-    leaves_.push_back({leaf.frame, surface::RoundedSurface<Number>(leaf.surface)});
+    if (leaf.surface.sweep) {
+      // Its pieces follow exactly from the points as this type holds them.
+      const auto held = scene::rounded_surface(leaf.surface, scene::rounding<Number>);
+      leaves_.push_back(
+          {leaf.frame, surface::RoundedSweep<Number>(held ? *held->sweep : *leaf.surface.sweep)});
+    } else {
+      leaves_.push_back({leaf.frame, surface::RoundedSurface<Number>(leaf.surface)});
+    }
   }
+  places_.resize(leaves_.size());
   local_rays_.resize(frames_.size());
   starts_inside_.resize(leaves_.size());
   in_carrier_.resize(leaves_.size());
@@ -38,20 +46,12 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray,
   }
   crossings_.clear();
   for (csg::LeafIndex leaf = 0; leaf < leaves_.size(); ++leaf) {
-    const auto& surface = leaves_[leaf].surface;
-    const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
     const bool is_left = std::find(left.begin(), left.end(), leaf) != left.end();
-    auto found = surface.crossings(local, solvers_, is_left);
-    spoil(found.roots, solvers_.fault, leaf);
-    starts_inside_[leaf] = found.starts_inside ? 1 : 0;
-    in_carrier_[leaf] = found.in_carrier ? 1 : 0;
-    bool inside = found.starts_inside;
-    for (int i = 0; i < found.roots.count; ++i) {
-      const Number& t = found.roots.t[i];
-      inside = !inside;
-      const geometry::Vector3<Number> p = local.origin + t * local.direction;
-      const bool enters_by_normal = dot(surface.gradient(p), local.direction) < 0;
-      crossings_.push_back({t, leaf, static_cast<std::uint16_t>(i), inside, enters_by_normal});
+    const auto& surface = leaves_[leaf].surface;
+    if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&surface)) {
+      find_on_sweep(leaf, *sweep, is_left);
+    } else {
+      find_on_surface(leaf, *std::get_if<surface::RoundedSurface<Number>>(&surface), is_left);
     }
   }
   std::sort(crossings_.begin(), crossings_.end(),
@@ -60,6 +60,52 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray,
               return a.t < b.t ||
                      (!(b.t < a.t) && std::pair(a.leaf, a.index) < std::pair(b.leaf, b.index));
             });
+}
+
+template <number::RealNumber Number>
+void RayEvents<Number>::add_crossing(csg::LeafIndex leaf, std::size_t index, const Number& t,
+                                     bool enters, const geometry::Vector3<Number>& local_gradient) {
+  const bool enters_by_normal = dot(local_gradient, local_rays_[leaves_[leaf].frame].direction) < 0;
+  crossings_.push_back({t, leaf, static_cast<std::uint16_t>(index), enters, enters_by_normal});
+}
+
+template <number::RealNumber Number>
+void RayEvents<Number>::find_on_surface(csg::LeafIndex leaf,
+                                        const surface::RoundedSurface<Number>& surface,
+                                        bool is_left) {
+  const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
+  auto found = surface.crossings(local, solvers_, is_left);
+  spoil(found.roots, solvers_.fault, leaf);
+  starts_inside_[leaf] = found.starts_inside ? 1 : 0;
+  in_carrier_[leaf] = found.in_carrier ? 1 : 0;
+  bool inside = found.starts_inside;
+  for (int i = 0; i < found.roots.count; ++i) {
+    const Number& t = found.roots.t[i];
+    inside = !inside;
+    add_crossing(leaf, static_cast<std::size_t>(i), t, inside,
+                 surface.gradient(local.origin + t * local.direction));
+  }
+}
+
+template <number::RealNumber Number>
+void RayEvents<Number>::find_on_sweep(csg::LeafIndex leaf,
+                                      const surface::RoundedSweep<Number>& sweep, bool is_left) {
+  using std::abs;
+  const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
+  std::vector<Place>& places = places_[leaf];
+  bool inside = sweep.starts_inside(local, solvers_, scratch_);
+  starts_inside_[leaf] = inside ? 1 : 0;
+  sweep.find_crossings(local, solvers_, places);
+  if (is_left && !places.empty()) {
+    std::min_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return abs(a.t) < abs(b.t);
+    })->t = Number(0);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Number& t = places[i].t;
+    inside = !inside;
+    add_crossing(leaf, i, t, inside, sweep.normal(local.origin + t * local.direction, places[i]));
+  }
 }
 
 template <number::RealNumber Number>
@@ -89,27 +135,44 @@ geometry::Vector3<Number> RayEvents<Number>::point(const Root& t) const {
 template <number::RealNumber Number>
 bool RayEvents<Number>::inside(csg::LeafIndex leaf, const geometry::Vector3<Number>& world) const {
   const LeafData& data = leaves_[leaf];
-  return data.surface.inside(frames_[data.frame].point(world));
+  const geometry::Vector3<Number> local = frames_[data.frame].point(world);
+  if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface)) {
+    return sweep->inside(local, solvers_, scratch_);
+  }
+  return std::get_if<surface::RoundedSurface<Number>>(&data.surface)->inside(local);
 }
 
 template <number::RealNumber Number>
-geometry::Vector3<Number> RayEvents<Number>::gradient(
-    csg::LeafIndex leaf, const geometry::Vector3<Number>& point) const {
+geometry::Vector3<Number> RayEvents<Number>::gradient(csg::LeafIndex leaf,
+                                                      const geometry::Vector3<Number>& point,
+                                                      const Place& place) const {
   const LeafData& data = leaves_[leaf];
   const surface::RoundedMap<Number>& frame = frames_[data.frame];
-  return frame.gradient_to_world(data.surface.gradient(frame.point(point)));
+  const geometry::Vector3<Number> local = frame.point(point);
+  if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface)) {
+    return frame.gradient_to_world(sweep->normal(local, place));
+  }
+  return frame.gradient_to_world(
+      std::get_if<surface::RoundedSurface<Number>>(&data.surface)->gradient(local));
 }
 
 template <number::RealNumber Number>
 Number RayEvents<Number>::distance_bound(csg::LeafIndex leaf,
-                                         const geometry::Vector3<Number>& point) const {
+                                         const geometry::Vector3<Number>& point,
+                                         const Place& place) const {
   using std::abs;
   using std::sqrt;
   const LeafData& data = leaves_[leaf];
   const surface::RoundedMap<Number>& frame = frames_[data.frame];
-  const geometry::Vector3<Number> across = gradient(leaf, point);
-  const Number error = data.surface.rounding_error(frame.magnitude(point));
-  return (abs(data.surface.value(frame.point(point))) + 3 * error) / sqrt(dot(across, across));
+  const geometry::Vector3<Number> across = gradient(leaf, point, place);
+  const geometry::Vector3<Number> local = frame.point(point);
+  const geometry::Vector3<Number> magnitude = frame.magnitude(point);
+  const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface);
+  const auto* surface = std::get_if<surface::RoundedSurface<Number>>(&data.surface);
+  const Number value = sweep != nullptr ? sweep->value(local, place) : surface->value(local);
+  const Number error = sweep != nullptr ? sweep->rounding_error(magnitude, place)
+                                        : surface->rounding_error(magnitude);
+  return (abs(value) + 3 * error) / sqrt(dot(across, across));
 }
 
 }  // namespace lamina::method

@@ -11,22 +11,21 @@ using number::Root;
 void RayEvents<exact>::find(const geometry::ExactRay& ray) {
   surface::RayMonomials monomials(ray);
   crossings_.clear();
-  polynomials_.clear();
+  carriers_.clear();
   starts_inside_.assign(scene_->leaves.size(), 0);
   in_carrier_.assign(scene_->leaves.size(), 0);
   for (std::size_t c = 0; c < scene_->carriers.size(); ++c) {
-    polynomials_.push_back(monomials.restrict(scene_->carriers[c]));
-    const number::IntegerPolynomial& polynomial = polynomials_.back();
-    if (polynomial.is_zero()) {
+    const surface::CarrierOnRay& carrier =
+        carriers_.emplace_back(scene_->carriers[c], ray, monomials);
+    if (carrier.contains_ray()) {
       for (const csg::LeafIndex leaf : scene_->leaves_of_carrier[c]) {
         in_carrier_[leaf] = 1;
       }
       continue;
     }
-    std::vector<Root> roots = number::real_roots(polynomial);
-    std::erase_if(roots, [](const Root& root) { return root.multiplicity() % 2 == 0; });
+    const std::vector<Root> roots = carrier.crossings();
     for (const csg::LeafIndex leaf : scene_->leaves_of_carrier[c]) {
-      bool inside = scene_->leaves[leaf].side * polynomial.sign_at_minus_infinity() < 0;
+      bool inside = scene_->leaves[leaf].side * carrier.sign_at_minus_infinity() < 0;
       starts_inside_[leaf] = inside ? 1 : 0;
       for (std::size_t i = 0; i < roots.size(); ++i) {
         inside = !inside;
@@ -64,7 +63,7 @@ bool RayEvents<exact>::starts_inside(csg::LeafIndex leaf, const Rational& refere
 
 bool RayEvents<exact>::inside_at(csg::LeafIndex leaf, const Root& t) const {
   const scene::Leaf& l = scene_->leaves[leaf];
-  return l.side * sign_at(polynomials_[l.carrier], t) <= 0;
+  return l.side * carriers_[l.carrier].sign_at(t) <= 0;
 }
 
 bool RayEvents<exact>::within(const Root& first, const Root& later, const Rational& step,

@@ -37,7 +37,7 @@ ExactStart start_on(const scene::Scene& scene, const geometry::ExactRay& ray,
   };
   surface::RayMonomials monomials(ray);
   for (surface::CarrierIndex c = 0; c < scene.carriers.size(); ++c) {
-    if (sign_at(monomials.restrict(scene.carriers[c]), t) == 0) {
+    if (surface::CarrierOnRay(scene.carriers[c], ray, monomials).sign_at(t) == 0) {
       start.carriers.push_back(c);
     }
   }
@@ -116,6 +116,11 @@ bool SpawnedEvents::find_with(int bits) {
 bool SpawnedEvents::find(const ExactStart& start, const ExactPoint& direction) {
   start_ = start;
   direction_ = direction;
+  classes_.clear();
+  if (std::any_of(scene_->carriers.begin(), scene_->carriers.end(),
+                  [](const surface::Carrier& carrier) { return carrier.sweep != nullptr; })) {
+    return false;
+  }
   for (int bits = kFirstBits; bits <= kMaxBits; bits *= 2) {
     if (find_with(bits)) {
       return true;

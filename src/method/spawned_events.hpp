@@ -35,7 +35,8 @@ struct SpawnedClass {
 /// The crossings with s > 0 of the ray start + s direction, the start an algebraic point, the
 /// direction read exactly (design 1, conditional truth). For a carrier through the start the
 /// root s = 0 is divided out, never searched for. Everything else is decided by intervals, of
-/// more and more bits until they suffice; equal roots of different carriers never do.
+/// more and more bits until they suffice; equal roots of different carriers never do. In a scene
+/// with a swept contour nothing is decided.
 class SpawnedEvents {
  public:
   /// Bits at which a decision is given up.

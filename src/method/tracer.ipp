@@ -127,7 +127,7 @@ HitError TracerOf<Number>::error(std::size_t crossing, const number::Root& truth
   } else {
     const Crossing<Number>& c = events_.crossings()[crossing];
     const geometry::Vector3<Number> point = events_.point(c.t);
-    const geometry::Vector3<Number> gradient = events_.gradient(c.leaf, point);
+    const geometry::Vector3<Number> gradient = events_.gradient(c.leaf, point, events_.place(c));
     const auto exactly = [](const geometry::Vector3<Number>& v) -> geometry::ExactPoint {
       using Traits = number::number_traits<Number>;
       return {Traits::to_exact(v.x), Traits::to_exact(v.y), Traits::to_exact(v.z)};

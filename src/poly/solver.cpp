@@ -93,4 +93,27 @@ std::string_view name_of(Recentring recentring) {
   return {};
 }
 
+SweepSearch parse_sweep_search(std::string_view name) {
+  for (const SweepSearch search :
+       {SweepSearch::Polynomial, SweepSearch::Subdivision, SweepSearch::StripTree}) {
+    if (name_of(search) == name) {
+      return search;
+    }
+  }
+  throw base::InputError(fmt::format(
+      "unknown search of sweeps '{}': one of polynomial, subdivision, strip-tree", name));
+}
+
+std::string_view name_of(SweepSearch search) {
+  switch (search) {
+    case SweepSearch::Polynomial:
+      return "polynomial";
+    case SweepSearch::Subdivision:
+      return "subdivision";
+    case SweepSearch::StripTree:
+      return "strip-tree";
+  }
+  return {};
+}
+
 }  // namespace lamina::poly

@@ -71,6 +71,18 @@ enum class Recentring : std::uint8_t {
 Recentring parse_recentring(std::string_view name);
 std::string_view name_of(Recentring recentring);
 
+/// How the contour's parameter is found where a ray crosses a swept contour of splines (van Wijk
+/// 1984, sections 1 and 7, names all three).
+enum class SweepSearch : std::uint8_t {
+  Polynomial,   ///< a solver on the ray's polynomial in the parameter
+  Subdivision,  ///< halving the contour, a rectangle test for each part (Catmull 1974)
+  StripTree,    ///< halving the contour, strips along it in place of rectangles (Kajiya 1983)
+};
+
+/// Throws base::InputError that lists them.
+SweepSearch parse_sweep_search(std::string_view name);
+std::string_view name_of(SweepSearch search);
+
 /// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial:
 /// of degree 2 (quadrics) and 4 (tori) in t, 3 and 6 (sweeps of splines) in the contour's
 /// parameter.
@@ -80,6 +92,7 @@ struct Solvers {
   Solver cubic = default_solver(3);
   Solver sextic = default_solver(6);
   Recentring recentring = Recentring::Tori;
+  SweepSearch search = SweepSearch::Polynomial;
   RootFault fault{};
 };
 

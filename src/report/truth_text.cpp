@@ -108,9 +108,9 @@ std::string remarks(const scene::Scene& scene, const geometry::ExactRay& ray,
   surface::RayMonomials monomials(ray);
   std::string text;
   for (std::size_t c = 0; c < scene.carriers.size(); ++c) {
-    const auto polynomial = monomials.restrict(scene.carriers[c]);
+    const surface::CarrierOnRay carrier(scene.carriers[c], ray, monomials);
     const std::vector<csg::LeafIndex>& leaves = scene.leaves_of_carrier[c];
-    if (polynomial.is_zero()) {
+    if (carrier.contains_ray()) {
       text +=
           paragraph(format("The ray lies in the surface of {}: by convention it is outside of it "
                            "all along. The census counts such rays apart and does not judge them.",
@@ -118,8 +118,8 @@ std::string remarks(const scene::Scene& scene, const geometry::ExactRay& ray,
                     "", 2);
       continue;
     }
-    for (const number::Root& root : number::real_roots(polynomial)) {
-      if (root.multiplicity() % 2 == 0 && compare(root, number::Rational(0)) > 0) {
+    for (const number::Root& root : carrier.touches()) {
+      if (compare(root, number::Rational(0)) > 0) {
         text += paragraph(format("The ray touches {} at t = {} and does not cross it there.",
                                  names(leaves, legend), shortest_text(nearest_double(root), 0)),
                           "", 2);

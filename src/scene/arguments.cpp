@@ -157,8 +157,8 @@ std::optional<ExactPoint> Arguments::vector_or_number(std::string_view parameter
   return ExactPoint{value, value, value};
 }
 
-std::optional<std::vector<std::vector<Rational>>> Arguments::matrix(std::string_view parameter,
-                                                                    std::size_t columns) const {
+std::optional<std::vector<std::vector<Rational>>> Arguments::matrix(
+    std::string_view parameter, std::optional<std::size_t> columns) const {
   const auto* rows = find<Value::List>(parameter, "a list of rows");
   if (rows == nullptr) {
     return std::nullopt;
@@ -166,9 +166,9 @@ std::optional<std::vector<std::vector<Rational>>> Arguments::matrix(std::string_
   std::vector<std::vector<Rational>> result;
   for (const Value& row : *rows) {
     const auto* list = std::get_if<Value::List>(&row.content);
-    if (list == nullptr || list->size() != columns) {
-      fail(row.offset,
-           fmt::format("a row of `{}` must be a list of {} numbers", parameter, columns));
+    if (list == nullptr || list->size() != columns.value_or(list->size())) {
+      fail(row.offset, fmt::format("a row of `{}` must be a list of {}numbers", parameter,
+                                   columns ? fmt::format("{} ", *columns) : ""));
     }
     result.push_back(numbers(*list, parameter));
   }

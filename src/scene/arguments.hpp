@@ -44,9 +44,9 @@ class Arguments {
   [[nodiscard]] std::optional<geometry::ExactPoint> vector_or_number(
       std::string_view parameter, const std::optional<number::Rational>& third = {}) const;
   [[nodiscard]] bool is_number(std::string_view parameter) const;
-  /// A list of lists of numbers, each of `columns`.
+  /// A list of lists of numbers, each of `columns` if they are given.
   [[nodiscard]] std::optional<std::vector<std::vector<number::Rational>>> matrix(
-      std::string_view parameter, std::size_t columns) const;
+      std::string_view parameter, std::optional<std::size_t> columns = {}) const;
   [[nodiscard]] std::optional<std::vector<number::Rational>> numbers(
       std::string_view parameter) const;
   /// The name of a colour, or three or four numbers from 0 to 1. Nothing also for

@@ -9,6 +9,7 @@
 #include "scene/arguments.hpp"
 #include "scene/materials.hpp"
 #include "scene/primitives.hpp"
+#include "scene/sweeps.hpp"
 #include "scene/transforms.hpp"
 
 namespace lamina::scene {
@@ -43,12 +44,10 @@ const Signature kCamera{
 const Signature kLight{"light(position = [x, y, z], color = [r, g, b])", {"position", "color"}, 1};
 const Signature kBackground{"background(color = [r, g, b])", {"color"}, 1};
 
-// Nodes of OpenSCAD, and of sweeps, that are known but not read.
-constexpr std::array kUnsupported{
-    "circle"sv,     "conic_sweep"sv,      "contour"sv,   "fill"sv,   "hull"sv,
-    "import"sv,     "linear_extrude"sv,   "minkowski"sv, "offset"sv, "polygon"sv,
-    "polyhedron"sv, "projection"sv,       "resize"sv,    "roof"sv,   "rotate_extrude"sv,
-    "square"sv,     "rotational_sweep"sv, "surface"sv,   "text"sv,   "translational_sweep"sv};
+// Nodes of OpenSCAD that are known but not read.
+constexpr std::array kUnsupported{"circle"sv,    "fill"sv,   "hull"sv,       "import"sv,
+                                  "minkowski"sv, "offset"sv, "polyhedron"sv, "projection"sv,
+                                  "resize"sv,    "roof"sv,   "surface"sv,    "text"sv};
 
 struct Operation {
   std::string_view name;
@@ -302,6 +301,9 @@ class Builder {
     if (const Primitive* found = find_primitive(node.name)) {
       return primitive(node, *found, context);
     }
+    if (const SweepNode* found = find_sweep(node.name)) {
+      return sweep(node, *found, context);
+    }
     if (const Transform* found = find_transform(node.name)) {
       const Arguments arguments(source_, node, found->signature);
       context.facets = arguments.facets(context.facets);
@@ -329,6 +331,9 @@ class Builder {
     }
     if (std::find(kUnsupported.begin(), kUnsupported.end(), node.name) != kUnsupported.end()) {
       fail(node, "this node is not supported yet: leave it out, or put `*` before it");
+    }
+    if (PlaneFigure::is_one(node.name)) {
+      fail(node, "it is no solid: put it in a sweep, as in `rotational_sweep() contour(...);`");
     }
     fail(node,
          "there is no such node; a program is flattened by "
@@ -359,7 +364,35 @@ class Builder {
     }
     const Arguments arguments(source_, node, primitive.signature);
     const FacetSettings facets = arguments.facets(context.facets);
-    const Solid solid = primitive.read(arguments, options_.facets ? &facets : nullptr);
+    return placed(node, primitive.read(arguments, options_.facets ? &facets : nullptr), arguments,
+                  context);
+  }
+
+  Expression sweep(const Node& node, const SweepNode& sweep, const Context& context) {
+    std::vector<const Node*> figures = children(node);
+    while (figures.size() == 1 && is_group(figures.front()->name)) {
+      figures = children(*figures.front());
+    }
+    if (figures.size() != 1) {
+      fail(node, fmt::format("it takes one contour: {}", sweep.signature.usage));
+    }
+    const Arguments arguments(source_, node, sweep.signature);
+    if (options_.facets && sweep.name == "rotate_extrude") {
+      fail(node, "it is read as the curved solid only: leave --facets out");
+    }
+    return placed(node, sweep.read(arguments, PlaneFigure(source_, *figures.front(), contours_)),
+                  arguments, context);
+  }
+
+  // Does the node do nothing but stand around its children?
+  static bool is_group(std::string_view name) {
+    return std::any_of(kOperations.begin(), kOperations.end(), [name](const Operation& operation) {
+      return operation.name == name && operation.op == Operator::Add;
+    });
+  }
+
+  Expression placed(const Node& node, const Solid& solid, const Arguments& arguments,
+                    const Context& context) {
     if (solid.parts.empty() && solid.solids.empty()) {
       warn(node, "its size is zero, so it is empty");
       return Expression::empty();
@@ -370,23 +403,30 @@ class Builder {
     if (solid.box) {
       placed_.back().box = image(context.to_world, *solid.box);
     }
-    return expression(solid, medium, context.path_to(primitive.name));
+    return expression(solid, medium, context.path_to(node.name), placed_.size() - 1);
   }
 
-  // Of a solid in the frame that was placed last.
-  Expression expression(const Solid& solid, Medium medium, const std::string& path) {
+  // Of a solid in a frame that is in placed_, or in a new one of its own.
+  Expression expression(const Solid& solid, Medium medium, const std::string& path,
+                        std::size_t frame) {
+    if (solid.placement) {
+      const PlacedSolid outer = placed_[frame];
+      placed_.push_back({compose(inverse(*solid.placement).value(), outer.to_local), outer.box});
+      frame = placed_.size() - 1;
+    }
     std::vector<Expression> operands;
     for (const Solid::Part& part : solid.parts) {
       operands.push_back(Expression::of_leaf(static_cast<csg::LeafIndex>(drafts_.size())));
       Leaf leaf;
       leaf.surface = part.surface;
-      leaf.frame = static_cast<std::uint32_t>(placed_.size() - 1);
+      leaf.frame = static_cast<std::uint32_t>(frame);
       leaf.medium = medium;
       leaf.path = part.name.empty() ? path : path + "." + part.name;
       drafts_.push_back(std::move(leaf));
     }
     for (std::size_t k = 0; k < solid.solids.size(); ++k) {
-      operands.push_back(expression(solid.solids[k], medium, fmt::format("{}[{}]", path, k + 1)));
+      operands.push_back(
+          expression(solid.solids[k], medium, fmt::format("{}[{}]", path, k + 1), frame));
     }
     return Expression::of(solid.op, std::move(operands));
   }
@@ -452,6 +492,7 @@ class Builder {
   const ReadOptions& options_;
   Scene scene_;
   MaterialTable materials_;
+  SharedContours contours_;
   std::vector<Leaf> drafts_;  // as they come; `frame` is an index into placed_
   std::vector<PlacedSolid> placed_;
 };

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "scene/ray_tree_families.hpp"
 #include "scene/stress_families.hpp"
+#include "scene/sweep_families.hpp"
 
 namespace lamina::scene {
 const std::vector<Family>& families() {
@@ -45,6 +46,13 @@ const std::vector<Family>& families() {
       {"unclosed", ":cylinder|cone|slab", "solids of half-spaces that are not closed", unclosed},
       {"round", ":ball|ring|cut-ring",
        "a unit sphere, a torus of radii 1 and 1/4, or half of it and a ball less it", round_solid},
+      {"sweep-sum", ":SWEEP:same|mirrored|scaled",
+       "a translational, conic or rotational sweep added to itself", sweep_sum},
+      {"sweep-difference", ":SWEEP:same|mirrored|scaled", "such a sweep less itself",
+       sweep_difference},
+      {"sweep-halves", ":SWEEP", "such a sweep in two parts, divided by a plane", sweep_halves},
+      {"jointed-glass", "", "a wine glass of 25 quadrics and a torus between slab planes",
+       jointed_glass},
   };
   return all;
 }

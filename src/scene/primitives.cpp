@@ -53,6 +53,7 @@ Solid cube(const Arguments& arguments, const FacetSettings* /*facets*/) {
            {"+y", surface::plane({0, 1, 0}, upper.y)},
            {"-z", surface::plane({0, 0, -1}, -lower.z)},
            {"+z", surface::plane({0, 0, 1}, upper.z)}},
+          {},
           Bounds{lower, upper}};
 }
 

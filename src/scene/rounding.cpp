@@ -1,6 +1,9 @@
 #include "scene/rounding.hpp"
 
 #include <map>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "base/contract.hpp"
 
@@ -55,19 +58,52 @@ AffineMap inverse_of_rounded_placement(const AffineMap& frame, const Rounding& r
   return placement ? inverse(*placement).value_or(frame) : frame;
 }
 
+std::optional<surface::LocalSurface> rounded_surface(const surface::LocalSurface& surface,
+                                                     const Rounding& round) {
+  if (surface.sweep) {
+    const geometry::Contour& contour = surface.sweep->contour();
+    std::vector<geometry::PlanePoint> points;
+    for (const geometry::PlanePoint& p : contour.points()) {
+      const auto u = round(p.u);
+      const auto v = round(p.v);
+      if (!u || !v) {
+        return std::nullopt;
+      }
+      points.push_back({*u, *v});
+    }
+    if (points == contour.points()) {
+      return surface;
+    }
+    try {
+      return surface::swept(
+          {surface.sweep->sweep(), std::make_shared<const geometry::Contour>(
+                                       std::move(points), contour.kind(), contour.closed())});
+    } catch (const base::InputError&) {
+      return std::nullopt;
+    }
+  }
+  surface::LocalSurface result = surface;
+  for (number::Rational& coefficient : result.coefficients) {
+    const auto value = round(coefficient);
+    if (!value) {
+      return std::nullopt;
+    }
+    coefficient = *value;
+  }
+  return result;
+}
+
 std::optional<Scene> rounded_scene(const Scene& scene, const Rounding& round) {
   Scene result = scene;
   for (AffineMap& frame : result.frames) {
     frame = inverse_of_rounded_placement(frame, round);
   }
   for (Leaf& leaf : result.leaves) {
-    for (number::Rational& coefficient : leaf.surface.coefficients) {
-      const auto value = round(coefficient);
-      if (!value) {
-        return std::nullopt;
-      }
-      coefficient = *value;
+    auto surface = rounded_surface(leaf.surface, round);
+    if (!surface) {
+      return std::nullopt;
     }
+    leaf.surface = std::move(*surface);
   }
   return place_carriers(result) ? std::optional(std::move(result)) : std::nullopt;
 }

@@ -30,13 +30,19 @@ std::optional<number::Rational> rounding(const number::Rational& value) {
 geometry::AffineMap inverse_of_rounded_placement(const geometry::AffineMap& frame,
                                                  const Rounding& round);
 
+/// Returns a surface with its coefficients, or its contour's points, rounded once each. Nothing
+/// where one overflows, or where a sweep has no contour any more: it crosses or touches itself.
+std::optional<surface::LocalSurface> rounded_surface(const surface::LocalSurface& surface,
+                                                     const Rounding& round);
+
 /// Returns the scene as a number type holds it: every entry of its placements and every
-/// coefficient of its surfaces rounded once, and nothing else; the carriers are those that
-/// follow exactly. Nothing if a coefficient overflows or a surface degenerates.
+/// number of its surfaces rounded once, and nothing else; the carriers are those that
+/// follow exactly. Nothing if a number overflows or a surface degenerates.
 std::optional<Scene> rounded_scene(const Scene& scene, const Rounding& round);
 
 /// Returns the scene of the constants that a number type computes with: of a rounded_scene,
-/// the inverse maps too are rounded, each entry once.
+/// the inverse maps too are rounded, each entry once. (The pieces of a sweep's contour stay as they
+/// follow from its points: their coefficients, each rounded, are no contour.)
 std::optional<Scene> scene_of_constants(const Scene& rounded, const Rounding& round);
 
 }  // namespace lamina::scene

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/medium.hpp"
+#include "geometry/affine.hpp"
 #include "scene/scene.hpp"
 #include "surface/half_space.hpp"
 
@@ -21,6 +22,8 @@ struct Solid {
   std::vector<Part> parts{};
   std::vector<Solid> solids{};  ///< operands after the parts; without either the solid is empty
   std::optional<Bounds> box{};  ///< none: the solid is unbounded, or empty
+  /// To the coordinates of the solid that this one is an operand of; not for the outermost.
+  std::optional<geometry::AffineMap> placement{};
 };
 
 }  // namespace lamina::scene

@@ -51,6 +51,23 @@ std::optional<Rational> positive_root(const Rational& square) {
   return root * root == square ? std::optional(root) : std::nullopt;
 }
 
+Node sweep(const surface::SweptSurface& surface) {
+  const geometry::Contour& contour = surface.contour();
+  Value::List points;
+  for (const geometry::PlanePoint& p : contour.points()) {
+    points.push_back(list({p.u, p.v}));
+  }
+  Node child = node("contour", {Value{0, std::move(points)}});
+  child.arguments.push_back({0, "kind", Value{0, std::string(name_of(contour.kind()))}});
+  child.arguments.push_back({0, "closed", Value{0, contour.closed()}});
+  Node result = node(std::string(name_of(surface.sweep())), {});
+  if (surface.sweep() != surface::Sweep::Rotational) {
+    result.arguments.push_back({0, "capped", Value{0, false}});
+  }
+  result.children.push_back(std::move(child));
+  return result;
+}
+
 // The primitive that reads back as the very same surface.
 Node half_space(const LocalSurface& surface) {
   const auto& c = surface.coefficients;
@@ -59,6 +76,8 @@ Node half_space(const LocalSurface& surface) {
       return node("halfspace", {list({c[0], c[1], c[2]}), Value{0, Rational(-c[3])}});
     case Kind::Torus:
       return node("torus", {Value{0, c[0]}, Value{0, c[1]}});
+    case Kind::Sweep:
+      return sweep(*surface.sweep);
     case Kind::Quadric:
       break;
   }

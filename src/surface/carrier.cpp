@@ -1,6 +1,7 @@
 #include "surface/carrier.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -16,6 +17,7 @@ using number::Integer;
 using number::IntegerPolynomial;
 using number::Interval;
 using number::Rational;
+using number::Root;
 
 using Exponents = std::array<int, 4>;        // of x, y, z, w
 using Form = std::map<Exponents, Rational>;  // a homogeneous polynomial
@@ -92,6 +94,8 @@ Form world_form(const LocalSurface& surface, const AffineMap& to_local) {
       const Form inner = add(add(across, multiply(z, z), 1), ww, major_squared - c[1] * c[1]);
       return add(multiply(inner, inner), multiply(across, ww), -4 * major_squared);
     }
+    case Kind::Sweep:
+      break;
   }
   return {};
 }
@@ -166,6 +170,15 @@ std::array<std::vector<Interval>, 4> enclosed(const geometry::Vector3<Interval>&
           {Interval(Rational(1), bits)}};
 }
 
+// A gradient in local coordinates as one in the world's.
+ExactPoint to_world(const AffineMap& to_local, const ExactPoint& gradient) {
+  const auto along = [&](std::size_t axis) -> Rational {
+    return to_local.rows[0][axis] * gradient.x + to_local.rows[1][axis] * gradient.y +
+           to_local.rows[2][axis] * gradient.z;
+  };
+  return {along(0), along(1), along(2)};
+}
+
 }  // namespace
 
 std::strong_ordering operator<=>(const Carrier& a, const Carrier& b) {
@@ -177,10 +190,24 @@ std::strong_ordering operator<=>(const Carrier& a, const Carrier& b) {
       return order <=> 0;
     }
   }
-  return std::strong_ordering::equal;
+  if (a.sweep == b.sweep) {
+    return std::strong_ordering::equal;
+  }
+  // Both have one, as they have the same degree.
+  if (const auto order = a.sweep->surface <=> b.sweep->surface; order != 0) {
+    return order;
+  }
+  const auto& rows = a.sweep->to_local.rows;
+  const auto& others = b.sweep->to_local.rows;
+  return rows == others  ? std::strong_ordering::equal
+         : rows < others ? std::strong_ordering::less
+                         : std::strong_ordering::greater;
 }
 
 OrientedCarrier carrier_of(const LocalSurface& surface, const AffineMap& to_local) {
+  if (surface.kind == Kind::Sweep) {
+    return {{0, {}, std::make_shared<const PlacedSweep>(PlacedSweep{*surface.sweep, to_local})}, 1};
+  }
   Form form = world_form(surface, to_local);
   const int written_degree = surface.kind == Kind::Plane     ? 1
                              : surface.kind == Kind::Quadric ? 2
@@ -277,18 +304,92 @@ std::vector<Interval> EnclosedRayMonomials::restrict(const Carrier& carrier) {
   return coefficients;
 }
 
+CarrierOnRay::CarrierOnRay(const Carrier& carrier, const ExactRay& ray, RayMonomials& monomials) {
+  if (carrier.sweep) {
+    const AffineMap& map = carrier.sweep->to_local;
+    swept_ = carrier.sweep->surface.crossings(
+        {apply(map, ray.origin), apply_to_direction(map, ray.direction)});
+  } else {
+    polynomial_ = monomials.restrict(carrier);
+  }
+}
+
+bool CarrierOnRay::contains_ray() const {
+  return swept_ ? swept_->in_boundary : polynomial_.is_zero();
+}
+
+int CarrierOnRay::sign_at_minus_infinity() const {
+  if (swept_) {
+    return swept_->in_boundary ? 0 : swept_->starts_inside ? -1 : 1;
+  }
+  return polynomial_.sign_at_minus_infinity();
+}
+
+std::vector<Root> CarrierOnRay::crossings() const {
+  std::vector<Root> roots;
+  if (swept_) {
+    std::transform(swept_->crossings.begin(), swept_->crossings.end(), std::back_inserter(roots),
+                   [](const SweptSurface::Crossing& crossing) { return crossing.t; });
+  } else {
+    roots = number::real_roots(polynomial_);
+    std::erase_if(roots, [](const Root& root) { return root.multiplicity() % 2 == 0; });
+  }
+  return roots;
+}
+
+std::vector<Root> CarrierOnRay::touches() const {
+  std::vector<Root> roots;
+  if (!swept_) {
+    roots = number::real_roots(polynomial_);
+    std::erase_if(roots, [](const Root& root) { return root.multiplicity() % 2 == 1; });
+  }
+  return roots;
+}
+
+int CarrierOnRay::sign_at(const Root& t) const {
+  if (!swept_) {
+    return number::sign_at(polynomial_, t);
+  }
+  int sign = sign_at_minus_infinity();
+  for (const SweptSurface::Crossing& crossing : swept_->crossings) {
+    const auto order = compare(crossing.t, t);
+    if (order >= 0) {
+      return order == 0 ? 0 : sign;
+    }
+    sign = -sign;
+  }
+  return sign;
+}
+
 int sign_at(const Carrier& carrier, const ExactPoint& point) {
+  if (carrier.sweep) {
+    return carrier.sweep->surface.side(apply(carrier.sweep->to_local, point));
+  }
   const ExactPoint nowhere{0, 0, 0};
   const IntegerPolynomial value = RayMonomials({point, nowhere}).restrict(carrier);
   return value.is_zero() ? 0 : value[0].sign();
 }
 
 ExactPoint gradient_at(const Carrier& carrier, const ExactPoint& point) {
+  if (carrier.sweep) {
+    const AffineMap& map = carrier.sweep->to_local;
+    return to_world(map, carrier.sweep->surface.normal_near(apply(map, point)));
+  }
   const auto slope = [&](const ExactPoint& axis) {
     const IntegerPolynomial along = RayMonomials({point, axis}).restrict(carrier);
     return along.degree() < 1 ? Rational(0) : Rational(along[1]);
   };
   return {slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
+}
+
+std::optional<SweptSurface::Facets> facets_at(const PlacedSweep& sweep, const ExactPoint& point) {
+  auto facets = sweep.surface.facets(apply(sweep.to_local, point));
+  if (facets) {
+    for (ExactPoint& normal : facets->normals) {
+      normal = to_world(sweep.to_local, normal);
+    }
+  }
+  return facets;
 }
 
 }  // namespace lamina::surface

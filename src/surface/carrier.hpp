@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,16 +17,27 @@ namespace lamina::surface {
 
 using CarrierIndex = std::uint32_t;
 
+/// A swept contour and its place: points p of the world are at to_local(p).
+struct PlacedSweep {
+  SweptSurface surface;
+  geometry::AffineMap to_local;
+};
+
 /// The polynomial f of a surface in world coordinates, as a form of its degree (1, 2 or 4)
 /// in (x, y, z, w) with w = 1: coprime integer coefficients in a fixed order of the
 /// monomials, the first non-zero one positive. Two half-spaces have equal carriers if and
 /// only if their boundaries have the same equation up to a factor: exactly coincident
 /// surfaces share one carrier, and so share its roots along every ray.
+///
+/// A sweep, whose pieces have no f in common, is its own carrier, f < 0 inside: two share one if
+/// they are the same sweep of the same contour at the same place. Where sweeps coincide that are
+/// written otherwise, or a sweep and a plane or quadric, their roots are equal all the same.
 struct Carrier {
-  int degree = 1;
-  std::vector<number::Integer> coefficients;
+  int degree = 1;                               ///< 0 of a sweep
+  std::vector<number::Integer> coefficients{};  ///< none of a sweep
+  std::shared_ptr<const PlacedSweep> sweep{};   ///< null of all others
 
-  friend bool operator==(const Carrier&, const Carrier&) = default;
+  friend bool operator==(const Carrier& a, const Carrier& b) { return (a <=> b) == 0; }
   friend std::strong_ordering operator<=>(const Carrier& a, const Carrier& b);
 };
 
@@ -64,7 +77,8 @@ class RayMonomials {
  public:
   explicit RayMonomials(const geometry::ExactRay& ray);
 
-  /// f(origin + t direction) as a polynomial in t, times a positive constant.
+  /// f(origin + t direction) as a polynomial in t, times a positive constant. Contract: the
+  /// carrier is no sweep, here and where else a polynomial is asked for.
   [[nodiscard]] number::IntegerPolynomial restrict(const Carrier& carrier);
 
  private:
@@ -86,10 +100,38 @@ class EnclosedRayMonomials {
   RayMonomials direction_;
 };
 
+/// What an exact ray meets of one carrier.
+class CarrierOnRay {
+ public:
+  /// `monomials` are those of the ray.
+  CarrierOnRay(const Carrier& carrier, const geometry::ExactRay& ray, RayMonomials& monomials);
+
+  /// Is f zero all along the ray? (Of a sweep: along a part of it.)
+  [[nodiscard]] bool contains_ray() const;
+  /// Of f for t towards -infinity; 0 if the carrier contains the ray.
+  [[nodiscard]] int sign_at_minus_infinity() const;
+  /// Where f changes its sign, ascending. Contract: the carrier does not contain the ray.
+  [[nodiscard]] std::vector<number::Root> crossings() const;
+  /// Where f is zero and does not change its sign, likewise; none of a sweep, which does not look
+  /// for them.
+  [[nodiscard]] std::vector<number::Root> touches() const;
+  /// The sign of f at a t of the ray; of a sweep that of its surroundings where the ray touches it.
+  [[nodiscard]] int sign_at(const number::Root& t) const;
+
+ private:
+  number::IntegerPolynomial polynomial_;  // of all but a sweep
+  std::optional<SweptSurface::Crossings> swept_;
+};
+
 /// Exact sign of the carrier's f at a point: -1, 0 or 1.
 int sign_at(const Carrier& carrier, const geometry::ExactPoint& point);
 
-/// The gradient of f at a point times a positive constant: its direction, exact.
+/// The gradient of f at a point times a positive constant: its direction, exact. Of a sweep: as
+/// SweptSurface::normal_near has it.
 geometry::ExactPoint gradient_at(const Carrier& carrier, const geometry::ExactPoint& point);
+
+/// SweptSurface::facets in world coordinates.
+std::optional<SweptSurface::Facets> facets_at(const PlacedSweep& sweep,
+                                              const geometry::ExactPoint& point);
 
 }  // namespace lamina::surface

@@ -1,8 +1,16 @@
 #include "surface/half_space.hpp"
 
+#include <utility>
+
 namespace lamina::surface {
 
 using number::Rational;
+
+bool operator==(const LocalSurface& a, const LocalSurface& b) {
+  const bool equal_sweeps =
+      a.sweep == b.sweep || (a.sweep && b.sweep && (*a.sweep <=> *b.sweep) == 0);
+  return a.kind == b.kind && a.coefficients == b.coefficients && equal_sweeps;
+}
 
 LocalSurface plane(const geometry::ExactPoint& normal, const Rational& offset) {
   return {Kind::Plane, {normal.x, normal.y, normal.z, -offset}};
@@ -29,6 +37,10 @@ LocalSurface quadric(const std::array<std::array<Rational, 4>, 4>& m) {
 
 LocalSurface torus(const Rational& major, const Rational& minor) {
   return {Kind::Torus, {major, minor}};
+}
+
+LocalSurface swept(SweptSurface sweep) {
+  return {Kind::Sweep, {}, std::make_shared<const SweptSurface>(std::move(sweep))};
 }
 
 }  // namespace lamina::surface

@@ -47,7 +47,8 @@ struct SurfaceCrossings {
   bool in_carrier = false;     ///< f is zero along the whole ray: outside by convention
 };
 
-/// f of a half-space in local coordinates, its parameters rounded once.
+/// f of a half-space in local coordinates, its parameters rounded once. Not of a sweep, which is a
+/// RoundedSweep.
 template <RoundedNumber Number>
 class RoundedSurface {
  public:

@@ -103,6 +103,8 @@ RayPolynomial<Number> RoundedSurface<Number>::polynomial(const geometry::Ray<Num
       f[0] = k * k - four_major_squared * (o.x * o.x + o.y * o.y);
       break;
     }
+    case Kind::Sweep:
+      break;
   }
   return p;
 }
@@ -163,6 +165,8 @@ Number RoundedSurface<Number>::value(const geometry::Vector3<Number>& p) const {
       const Number k = dot(p, p) + (c_[0] - c_[1]) * (c_[0] + c_[1]);
       return k * k - 4 * c_[0] * c_[0] * (p.x * p.x + p.y * p.y);
     }
+    case Kind::Sweep:
+      break;
   }
   return Number(0);
 }
@@ -191,6 +195,8 @@ Number RoundedSurface<Number>::rounding_error(const geometry::Vector3<Number>& p
       terms = k * k + 4 * c_[0] * c_[0] * (p.x * p.x + p.y * p.y);
       break;
     }
+    case Kind::Sweep:
+      break;
   }
   const Number relative = Number(roundings) * number::unit_roundoff<Number>();
   return relative / (1 - relative) * terms;
@@ -211,6 +217,8 @@ geometry::Vector3<Number> RoundedSurface<Number>::gradient(
       const Number across = 4 * (k - 2 * c_[0] * c_[0]);
       return {across * p.x, across * p.y, 4 * k * p.z};
     }
+    case Kind::Sweep:
+      break;
   }
   return {};
 }

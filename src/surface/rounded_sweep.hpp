@@ -1,21 +1,37 @@
 // Half-spaces bounded by a swept contour, in a rounded number type, by van Wijk's equations.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/vector.hpp"
 #include "poly/solver.hpp"
+#include "surface/box_tree.hpp"
+#include "surface/contour_search.hpp"
+#include "surface/ray_image.hpp"
 #include "surface/swept_surface.hpp"
 
 namespace lamina::surface {
+
+/// What is done as van Wijk 1984 has it in print, to be measured.
+struct AsPrinted {
+  /// n_z = -+(u^2 + v^2)^1/2 for a normal of length one in (u, v), section 4: right only where that
+  /// is radial.
+  bool conic_normal = false;
+  /// The rectangle of each piece is tested in its turn, without a tree over them.
+  bool each_piece = false;
+  /// Taken for d_x = d_y = 0, but in conic sweeps, and for d_z = 0 in rotational ones and at cap
+  /// planes: his "very small absolute value" (section 3), for which he names no number. Without,
+  /// these rays have equations of their own.
+  std::optional<double> small_value{};
+};
 
 /// A sweep in local coordinates, its contour's pieces rounded once.
 template <number::RoundedNumber Number>
 class RoundedSweep {
  public:
-  explicit RoundedSweep(const SweptSurface& exact);
+  explicit RoundedSweep(const SweptSurface& exact, const AsPrinted& printed = {});
 
   struct Crossing {
     Number t;
@@ -25,21 +41,23 @@ class RoundedSweep {
 
   /// Returns in `crossings`, ascending in t, where a ray in local coordinates crosses the surface:
   /// the s of each piece that its rectangle does not rule out, by equations 2, 6 and 9 of van Wijk
-  /// 1984, then t by one of its equations for it, that with the largest divisor. Rays along the
-  /// contour's plane or its axis have equations of their own in place of his very small numbers:
-  /// at one z in a rotational sweep v(s) = o_z, and two t on the circle; parallel to the axis
-  /// u(s) is the distance from it. Roots that the solver knows to be of even multiplicity are
-  /// touches, and left out; a ray for which the equation of a piece holds all along crosses
-  /// nothing.
+  /// 1984 and the search that `solvers` names, then t by one of its equations for it, that with the
+  /// largest divisor. Rays along the contour's plane or its axis have equations of their own in
+  /// place of his very small numbers, unless one is given: at one z in a rotational sweep v(s) =
+  /// o_z, and two t on the circle; parallel to the axis u(s) is the distance from it. The pieces
+  /// are reached by a tree of their rectangles, which leaves out none that its own does not rule
+  /// out. Roots that the solver knows to be of even multiplicity are touches, and left out; a ray
+  /// for which the equation of a piece holds all along crosses nothing.
   ///
   /// By his rule a joint belongs to the piece with s = 0: a ray that touches a corner there crosses
-  /// it once, as far as this can tell. Where the contour meets the axis and ends, or goes on along
-  /// it, u^2 has a double root, which is a crossing.
+  /// it once, as far as a solver can tell; the other searches decide it by the signs of the image
+  /// on both sides. Where the contour meets the axis and ends, or goes on along it, u^2 has a
+  /// double root, which is a crossing.
   ///
-  /// Error:  that of the solver's s times the slope of t over s. The coefficients of the sextic are
-  ///         the more off the farther away the ray starts, and with them s; and as a ray gets
-  ///         nearly level, t is off by some u (|d| / d_z)^2: for |d_z| below some sqrt(u) |d| its
-  ///         two crossings of a steep piece are lost.
+  /// Error:  that of the solver's or the search's s times the slope of t over s. The image's
+  ///         coefficients are the more off the farther away the ray starts, and with them s; and as
+  ///         a ray gets nearly level, t is off by some u (|d| / d_z)^2: for |d_z| below some
+  ///         sqrt(u) |d| its two crossings of a steep piece are lost.
   void find_crossings(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
                       std::vector<Crossing>& crossings) const;
 
@@ -48,47 +66,60 @@ class RoundedSweep {
   /// bound on its rounding. (The twelve cases of section 5 decide the same for the hyperbola.)
   [[nodiscard]] bool rules_out(const geometry::Ray<Number>& local, std::uint32_t piece) const;
 
-  /// The outward normal at a crossing, not of length one: van Wijk's, but the right n_z of a conic
-  /// sweep, -(n_x u + n_y v). Contract: not at the apex of a conic sweep, nor on the axis.
-  [[nodiscard]] geometry::Vector3<Number> normal(const geometry::Ray<Number>& local,
+  /// The outward normal at a crossing's point, not of length one: van Wijk's, but the right n_z of
+  /// a conic sweep, -(n_x u + n_y v). Contract: not at the apex of a conic sweep, nor on the axis.
+  [[nodiscard]] geometry::Vector3<Number> normal(const geometry::Vector3<Number>& local,
                                                  const Crossing& crossing) const;
 
+  /// Is the ray inside for t towards -infinity? Only one in a prism along its axis, or in a cone.
+  /// `scratch` is overwritten.
+  [[nodiscard]] bool starts_inside(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
+                                   std::vector<Crossing>& scratch) const;
+  /// Is a point inside, or on the surface? By the parity of the crossings of a half-line in the
+  /// contour's plane; `scratch` is overwritten.
+  [[nodiscard]] bool inside(const geometry::Vector3<Number>& local, const poly::Solvers& solvers,
+                            std::vector<Crossing>& scratch) const;
+
+  /// A function that is zero on the surface's tangent plane at a crossing, and has normal() for its
+  /// gradient: how far a point is from there, to first order.
+  [[nodiscard]] Number value(const geometry::Vector3<Number>& local,
+                             const Crossing& crossing) const;
+  /// A bound on the error of value() at a point of the world, from the scene's numbers on.
+  ///
+  /// Arguments: magnitude  RoundedMap::magnitude of the point.
+  [[nodiscard]] Number rounding_error(const geometry::Vector3<Number>& magnitude,
+                                      const Crossing& crossing) const;
+
+  [[nodiscard]] Sweep sweep() const { return sweep_; }
+  [[nodiscard]] const AsPrinted& printed() const { return printed_; }
+
  private:
-  struct Piece {
-    int degree;
-    std::array<Number, 4> u;
-    std::array<Number, 4> v;
-    Number u_min, u_max, v_min, v_max;  // not inside the exact ones
-    bool sweeps;                        // or is on the axis
-    bool from_pole;                     // it begins where the surface meets the axis
-    bool to_pole;                       // it ends there
-  };
+  using Piece = RoundedPiece<Number>;
+  using Image = RayImage<Number>;
 
-  // a v^2 + b v + c - d u^2 = 0 (equation 9 of van Wijk) or, with a and d zero, a line of v and u.
-  struct Equation {
-    Number u{0}, uu{0}, v{0}, vv{0}, constant{0};
-    // The same, all products positive: the coefficients before anything cancels.
-    Number most_u{0}, most_uu{0}, most_v{0}, most_vv{0}, most_constant{0};
-  };
-
-  [[nodiscard]] Equation equation(const geometry::Ray<Number>& local) const;
-  [[nodiscard]] static bool rules_out(const Equation& e, const Piece& piece);
+  [[nodiscard]] Image image(const geometry::Ray<Number>& local) const;
   [[nodiscard]] bool is_level(const geometry::Ray<Number>& local) const {
     return sweep_ == Sweep::Rotational && local.direction.z == 0;
   }
   [[nodiscard]] bool is_upright(const geometry::Ray<Number>& local) const {
     return sweep_ == Sweep::Rotational && local.direction.x == 0 && local.direction.y == 0;
   }
-  // The s in 0 .. 1 at which the piece's equation holds for the ray.
-  [[nodiscard]] poly::RealRoots<Number> roots_of(const Piece& piece, const Equation& e,
-                                                 const geometry::Ray<Number>& local,
+  [[nodiscard]] geometry::Ray<Number> with_small_values(geometry::Ray<Number> local) const;
+  // The s in 0 .. 1 at which the piece meets the ray's image.
+  [[nodiscard]] poly::RealRoots<Number> roots_of(const Piece& piece, const Image& image,
                                                  const poly::Solvers& solvers) const;
+  // Calls cross(s) where the piece crosses the ray's image; false if it is part of that.
+  template <typename Cross>
+  bool search(const Piece& piece, const Image& image, const poly::Solvers& solvers,
+              const Cross& cross) const;
   void add_crossings(const geometry::Ray<Number>& local, std::uint32_t piece, const Number& s,
                      std::vector<Crossing>& crossings) const;
 
   Sweep sweep_;
   int orientation_;
+  AsPrinted printed_;
   std::vector<Piece> pieces_;
+  BoxTree<Number> tree_;
 };
 
 }  // namespace lamina::surface

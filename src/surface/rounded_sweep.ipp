@@ -27,9 +27,16 @@ Number rounded_up(const number::Rational& exact) {
   return -rounded_down<Number>(-exact);
 }
 
+// Of a piece whose coefficients are these: two or four.
 template <number::RoundedNumber Number>
-Number cubic_at(const std::array<Number, 4>& c, const Number& s) {
-  return ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
+std::array<Number, 4> control_points(const std::vector<number::Rational>& c) {
+  const number::Rational c_2 = c.size() > 2 ? c[2] : number::Rational(0);
+  const number::Rational end = geometry::value_at(c, number::Rational(1));
+  const auto rounded = [](const number::Rational& q) {
+    return number::number_traits<Number>::from_exact(q);
+  };
+  return {rounded(c[0]), rounded(c[0] + c[1] / 3), rounded(c[0] + (2 * c[1] + c_2) / 3),
+          rounded(end)};
 }
 
 template <number::RoundedNumber Number>
@@ -60,8 +67,8 @@ Number of_larger_divisor(std::initializer_list<std::array<Number, 2>> quotients)
 }  // namespace detail
 
 template <number::RoundedNumber Number>
-RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact)
-    : sweep_(exact.sweep()), orientation_(exact.contour().orientation()) {
+RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact, const AsPrinted& printed)
+    : sweep_(exact.sweep()), orientation_(exact.contour().orientation()), printed_(printed) {
   using Traits = number::number_traits<Number>;
   const geometry::Contour& contour = exact.contour();
   const auto count = static_cast<std::uint32_t>(contour.pieces().size());
@@ -69,16 +76,16 @@ RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact)
   const auto is_pole = [&](std::uint32_t neighbour, bool at_end_of_all) {
     return (at_end_of_all && !contour.closed()) || !exact.sweeps(neighbour);
   };
+  std::vector<PlaneBox<Number>> boxes;
   for (std::uint32_t i = 0; i < count; ++i) {
     const geometry::ContourPiece& from = contour.pieces()[i];
     const geometry::Rectangle& box = contour.boxes()[i];
     Piece piece{static_cast<int>(from.u.size()) - 1,
                 {},
                 {},
-                detail::rounded_down<Number>(box.u_min),
-                detail::rounded_up<Number>(box.u_max),
-                detail::rounded_down<Number>(box.v_min),
-                detail::rounded_up<Number>(box.v_max),
+                {detail::control_points<Number>(from.u), detail::control_points<Number>(from.v)},
+                {detail::rounded_down<Number>(box.u_min), detail::rounded_up<Number>(box.u_max),
+                 detail::rounded_down<Number>(box.v_min), detail::rounded_up<Number>(box.v_max)},
                 exact.sweeps(i),
                 is_pole((i + count - 1) % count, i == 0),
                 is_pole((i + 1) % count, i + 1 == count)};
@@ -86,15 +93,18 @@ RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact)
     piece.v.fill(Number(0));
     std::transform(from.u.begin(), from.u.end(), piece.u.begin(), Traits::from_exact);
     std::transform(from.v.begin(), from.v.end(), piece.v.begin(), Traits::from_exact);
+    boxes.push_back(piece.box);
     pieces_.push_back(std::move(piece));
   }
+  tree_ = BoxTree<Number>(boxes);
 }
 
 template <number::RoundedNumber Number>
-auto RoundedSweep<Number>::equation(const geometry::Ray<Number>& local) const -> Equation {
+auto RoundedSweep<Number>::image(const geometry::Ray<Number>& local) const -> Image {
   using std::abs;
+  using std::sqrt;
   const auto& [o, d] = local;
-  Equation e;
+  Image e;
   // p q - r s, and what it cannot exceed.
   const auto minor = [](const Number& p, const Number& q, const Number& r, const Number& s,
                         Number& most) {
@@ -115,6 +125,18 @@ auto RoundedSweep<Number>::equation(const geometry::Ray<Number>& local) const ->
       e.constant = minor(o.x, d.y, o.y, d.x, e.most_constant);
       break;
     case Sweep::Rotational: {
+      if (is_level(local)) {
+        e.v = e.most_v = Number(1);
+        e.constant = -o.z;
+        e.most_constant = abs(o.z);
+        break;
+      }
+      if (is_upright(local)) {
+        e.u = Number(-1);
+        e.most_u = Number(1);
+        e.constant = e.most_constant = sqrt(o.x * o.x + o.y * o.y);
+        break;
+      }
       e.vv = e.most_vv = d.x * d.x + d.y * d.y;
       e.v = 2 * (d.z * (d.x * o.x + d.y * o.y) - o.z * e.vv);
       e.most_v = 2 * (abs(d.z) * (abs(d.x * o.x) + abs(d.y * o.y)) + abs(o.z) * e.vv);
@@ -132,75 +154,63 @@ auto RoundedSweep<Number>::equation(const geometry::Ray<Number>& local) const ->
   return e;
 }
 
-// The equation's left side over the rectangle, which is 0 somewhere in it if and only if it is not
-// of one sign: it is a sum of a function of u and one of v, each least or greatest at an end, or
-// where the parabola in v turns. A term has 9 roundings at most on its way from the ray's numbers
-// to the sum, so that the sum is off by gamma_9 times that of the absolute terms (Higham
-// 2002, 3.1); 16 u is more than that for u <= 2^-11, and what rounding the turn costs is of second
-// order, since most_v^2 <= 4 vv most_constant.
-template <number::RoundedNumber Number>
-bool RoundedSweep<Number>::rules_out(const Equation& e, const Piece& piece) {
-  using std::abs;
-  const auto [u_min, u_max, v_min, v_max] =
-      std::array{piece.u_min, piece.u_max, piece.v_min, piece.v_max};
-  const auto in_u = [&e](const Number& u) -> Number { return (e.uu * u + e.u) * u; };
-  const auto in_v = [&e](const Number& v) -> Number { return (e.vv * v + e.v) * v; };
-  // The radius of a sweep begins at the axis, whatever its rectangle was rounded to.
-  const Number u_low = e.uu < 0 && u_min < 0 ? Number(0) : u_min;
-  const auto [least_u, greatest_u] = std::minmax({in_u(u_low), in_u(u_max)});
-  auto [least_v, greatest_v] = std::minmax({in_v(v_min), in_v(v_max)});
-  if (e.vv > 0) {
-    const Number turn = -e.v / (2 * e.vv);
-    if (v_min < turn && turn < v_max) {
-      least_v = std::min(least_v, in_v(turn));
-    }
-  }
-  const Number u = std::max(Number(abs(u_min)), Number(abs(u_max)));
-  const Number v = std::max(Number(abs(v_min)), Number(abs(v_max)));
-  const Number terms =
-      (e.most_uu * u + e.most_u) * u + (e.most_vv * v + e.most_v) * v + e.most_constant;
-  const Number rounding = 16 * number::unit_roundoff<Number>() * terms;
-  return least_u + least_v + e.constant > rounding ||
-         greatest_u + greatest_v + e.constant < -rounding;
-}
-
 template <number::RoundedNumber Number>
 bool RoundedSweep<Number>::rules_out(const geometry::Ray<Number>& local,
                                      std::uint32_t piece) const {
-  return rules_out(equation(local), pieces_[piece]);
+  return image(local).over(pieces_[piece].box).exclude_zero();
 }
 
 template <number::RoundedNumber Number>
-poly::RealRoots<Number> RoundedSweep<Number>::roots_of(const Piece& piece, const Equation& e,
-                                                       const geometry::Ray<Number>& local,
+poly::RealRoots<Number> RoundedSweep<Number>::roots_of(const Piece& piece, const Image& e,
                                                        const poly::Solvers& solvers) const {
-  using std::sqrt;
-  const auto& o = local.origin;
   std::array<Number, 7> p;
   p.fill(Number(0));
   int degree = piece.degree;
-  if (is_level(local)) {
-    std::copy(piece.v.begin(), piece.v.end(), p.begin());
-    p[0] = p[0] - o.z;
-  } else if (is_upright(local)) {
-    std::copy(piece.u.begin(), piece.u.end(), p.begin());
-    p[0] = p[0] - sqrt(o.x * o.x + o.y * o.y);
-  } else {
-    for (std::size_t k = 0; k < piece.u.size(); ++k) {
-      p[k] = e.u * piece.u[k] + e.v * piece.v[k];
-    }
-    p[0] = p[0] + e.constant;
-    if (sweep_ == Sweep::Rotational) {
-      detail::add_product(p, e.vv, piece.v, piece.v);
-      detail::add_product(p, e.uu, piece.u, piece.u);
-      degree *= 2;
-    }
+  for (std::size_t k = 0; k < piece.u.size(); ++k) {
+    p[k] = e.u * piece.u[k] + e.v * piece.v[k];
+  }
+  p[0] = p[0] + e.constant;
+  if (!e.is_line()) {
+    detail::add_product(p, e.vv, piece.v, piece.v);
+    detail::add_product(p, e.uu, piece.u, piece.u);
+    degree *= 2;
   }
   return poly::real_roots(std::span<const Number>(p.data(), static_cast<std::size_t>(degree) + 1),
                           poly::Range<Number>{Number(0), Number(1)},
                           degree == 6   ? solvers.sextic
                           : degree == 3 ? solvers.cubic
                                         : poly::default_solver(2));
+}
+
+template <number::RoundedNumber Number>
+template <typename Cross>
+bool RoundedSweep<Number>::search(const Piece& piece, const Image& e, const poly::Solvers& solvers,
+                                  const Cross& cross) const {
+  switch (solvers.search) {
+    case poly::SweepSearch::Polynomial:
+      break;
+    case poly::SweepSearch::Subdivision:
+      return cross_by_subdivision(e, piece, cross);
+    case poly::SweepSearch::StripTree:
+      return cross_by_strips(e, piece, cross);
+  }
+  const poly::RealRoots<Number> roots = roots_of(piece, e, solvers);
+  bool passed_pole = false;
+  for (int k = 0; k < roots.count; ++k) {
+    const Number& s = roots.t[k];
+    if ((piece.from_pole && s == 0) || (piece.to_pole && s == 1)) {
+      if (!passed_pole) {
+        cross(s);
+      }
+      passed_pole = true;
+      continue;
+    }
+    const bool touches = roots.multiplicity[k] != 0 && roots.multiplicity[k] % 2 == 0;
+    if (!touches && s < 1) {
+      cross(s);
+    }
+  }
+  return roots.outcome != poly::Outcome::Everywhere;
 }
 
 template <number::RoundedNumber Number>
@@ -244,53 +254,74 @@ void RoundedSweep<Number>::add_crossings(const geometry::Ray<Number>& local, std
 }
 
 template <number::RoundedNumber Number>
-void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& local,
+geometry::Ray<Number> RoundedSweep<Number>::with_small_values(geometry::Ray<Number> local) const {
+  auto& d = local.direction;
+  if (printed_.small_value) {
+    const auto small = static_cast<Number>(*printed_.small_value);
+    if (sweep_ != Sweep::Conic && d.x == 0 && d.y == 0) {
+      d.x = d.y = small;
+    }
+    if (is_level(local)) {
+      d.z = small;
+    }
+  }
+  return local;
+}
+
+template <number::RoundedNumber Number>
+void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& as_given,
                                           const poly::Solvers& solvers,
                                           std::vector<Crossing>& crossings) const {
+  const geometry::Ray<Number> local = with_small_values(as_given);
   const auto& [o, d] = local;
   crossings.clear();
   if (sweep_ == Sweep::Translational && d.x == 0 && d.y == 0) {
     return;
   }
-  const Equation e = equation(local);
+  const Image e = image(local);
+  const Number square = d.x * d.x + d.y * d.y;
   const Number across = d.x * o.y - d.y * o.x;
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+  const auto add_of_piece = [&](std::uint32_t i) {
     const Piece& piece = pieces_[i];
-    if (!piece.sweeps || rules_out(e, piece)) {
-      continue;
+    if (!piece.sweeps || e.over(piece.box).exclude_zero()) {
+      return true;
     }
     // At the height of a flat piece, but beyond its rim.
-    if (is_level(local) && across * across > e.vv * piece.u_max * piece.u_max) {
-      continue;
+    if (is_level(local) && across * across > square * piece.box.u_max * piece.box.u_max) {
+      return true;
     }
-    const poly::RealRoots<Number> roots = roots_of(piece, e, local, solvers);
-    if (roots.outcome == poly::Outcome::Everywhere) {
-      crossings.clear();
-      return;
-    }
-    bool passed_pole = false;
-    for (int k = 0; k < roots.count; ++k) {
-      const Number& s = roots.t[k];
-      if ((piece.from_pole && s == 0) || (piece.to_pole && s == 1)) {
-        if (!passed_pole) {
-          add_crossings(local, i, s, crossings);
-        }
-        passed_pole = true;
-        continue;
-      }
-      const bool touches = roots.multiplicity[k] != 0 && roots.multiplicity[k] % 2 == 0;
-      if (!touches && s < 1) {
+    const bool crosses = search(piece, e, solvers, [&](const Number& s) {
+      if (s < 1 || piece.to_pole) {
         add_crossings(local, i, s, crossings);
+      } else {
+        add_crossings(local, i + 1 < pieces_.size() ? i + 1 : 0, Number(0), crossings);
       }
+    });
+    if (!crosses) {
+      crossings.clear();
     }
+    return crosses;
+  };
+  if (printed_.each_piece) {
+    std::uint32_t i = 0;
+    while (i < pieces_.size() && add_of_piece(i)) {
+      ++i;
+    }
+  } else {
+    // A bound over a rectangle is off by 9.1 u of its absolute terms, so that a rectangle in it, of
+    // smaller terms, has one which is above it but for twice that: three times 16 u leave to it
+    // more than its own 16 u. So what is excluded here, its own rectangle rules out.
+    tree_.visit_pieces([&e](const PlaneBox<Number>& box) { return e.over(box).exclude_zero(3); },
+                       add_of_piece);
   }
   std::sort(crossings.begin(), crossings.end(),
             [](const Crossing& x, const Crossing& y) { return x.t < y.t; });
 }
 
 template <number::RoundedNumber Number>
-geometry::Vector3<Number> RoundedSweep<Number>::normal(const geometry::Ray<Number>& local,
+geometry::Vector3<Number> RoundedSweep<Number>::normal(const geometry::Vector3<Number>& local,
                                                        const Crossing& crossing) const {
+  using std::sqrt;
   const Piece& piece = pieces_[crossing.piece];
   const auto side = static_cast<Number>(orientation_);
   const Number n_u = side * detail::cubic_slope_at(piece.v, crossing.s);
@@ -301,17 +332,117 @@ geometry::Vector3<Number> RoundedSweep<Number>::normal(const geometry::Ray<Numbe
     case Sweep::Conic: {
       const Number u = detail::cubic_at(piece.u, crossing.s);
       const Number v = detail::cubic_at(piece.v, crossing.s);
-      const geometry::Vector3<Number> normal{n_u, n_v, -(n_u * u + n_v * v)};
-      return local.origin.z + crossing.t * local.direction.z < 0 ? Number(-1) * normal : normal;
+      const Number radial = n_u * u + n_v * v;
+      Number n_z = -radial;
+      if (printed_.conic_normal) {
+        n_z = sqrt((u * u + v * v) * (n_u * n_u + n_v * n_v));
+        n_z = radial < 0 ? n_z : Number(-n_z);
+      }
+      const geometry::Vector3<Number> normal{n_u, n_v, n_z};
+      return local.z < 0 ? Number(-1) * normal : normal;
     }
     case Sweep::Rotational: {
       const Number u = detail::cubic_at(piece.u, crossing.s);
-      const Number x = local.origin.x + crossing.t * local.direction.x;
-      const Number y = local.origin.y + crossing.t * local.direction.y;
-      return {n_u * x, n_u * y, n_v * u};
+      return {n_u * local.x, n_u * local.y, n_v * u};
     }
   }
   return {};
+}
+
+template <number::RoundedNumber Number>
+bool RoundedSweep<Number>::starts_inside(const geometry::Ray<Number>& local,
+                                         const poly::Solvers& solvers,
+                                         std::vector<Crossing>& scratch) const {
+  const auto& [o, d] = local;
+  switch (sweep_) {
+    case Sweep::Translational:
+      return d.x == 0 && d.y == 0 && inside(o, solvers, scratch);
+    case Sweep::Conic:  // far away, the ray is where its direction points
+      return d.z != 0 && inside(d, solvers, scratch);
+    case Sweep::Rotational:
+      break;
+  }
+  return false;
+}
+
+template <number::RoundedNumber Number>
+bool RoundedSweep<Number>::inside(const geometry::Vector3<Number>& local,
+                                  const poly::Solvers& solvers,
+                                  std::vector<Crossing>& scratch) const {
+  geometry::Vector3<Number> direction{Number(1), Number(0), Number(0)};
+  if (sweep_ == Sweep::Conic && local.z == 0) {
+    return local.x == 0 && local.y == 0;
+  }
+  if (sweep_ == Sweep::Rotational && (local.x != 0 || local.y != 0)) {
+    direction = {local.x, local.y, Number(0)};  // away from the axis
+  }
+  find_crossings({local, direction}, solvers, scratch);
+  bool inside = false;
+  for (const Crossing& crossing : scratch) {
+    if (crossing.t == 0) {
+      return true;
+    }
+    inside = inside != (crossing.t > 0);
+  }
+  return inside;
+}
+
+template <number::RoundedNumber Number>
+Number RoundedSweep<Number>::value(const geometry::Vector3<Number>& local,
+                                   const Crossing& crossing) const {
+  using std::sqrt;
+  const geometry::Vector3<Number> n = normal(local, crossing);
+  const Number u = detail::cubic_at(pieces_[crossing.piece].u, crossing.s);
+  const Number v = detail::cubic_at(pieces_[crossing.piece].v, crossing.s);
+  switch (sweep_) {
+    case Sweep::Translational:
+      return n.x * (local.x - u) + n.y * (local.y - v);
+    case Sweep::Conic:
+      return n.x * (local.x - u * local.z) + n.y * (local.y - v * local.z);
+    case Sweep::Rotational: {
+      // With n_u times the radius for both n.x and n.y.
+      const Number radius = sqrt(local.x * local.x + local.y * local.y);
+      const Number across = sqrt(n.x * n.x + n.y * n.y);
+      const bool outward = n.x * local.x + n.y * local.y >= 0;
+      return (outward ? across : Number(-across)) * (radius - u) + n.z * (local.z - v);
+    }
+  }
+  return Number(0);
+}
+
+// Roundings on the way to a term: 5 of a local coordinate (its row's entry, a product, three sums),
+// 3 more of a radius, 7 of a point of the curve (a coefficient, and Horner's rule), and 3 for the
+// difference, its product and the sum. What n is off by changes the plane's tilt, which is of
+// second order. 16 are enough for all.
+template <number::RoundedNumber Number>
+Number RoundedSweep<Number>::rounding_error(const geometry::Vector3<Number>& magnitude,
+                                            const Crossing& crossing) const {
+  using std::abs;
+  using std::sqrt;
+  const Piece& piece = pieces_[crossing.piece];
+  const auto most = [&crossing](const std::array<Number, 4>& c) -> Number {
+    return ((abs(c[3]) * crossing.s + abs(c[2])) * crossing.s + abs(c[1])) * crossing.s + abs(c[0]);
+  };
+  const Number u = most(piece.u);
+  const Number v = most(piece.v);
+  const Number n_u = abs(detail::cubic_slope_at(piece.v, crossing.s));
+  const Number n_v = abs(detail::cubic_slope_at(piece.u, crossing.s));
+  Number terms(0);
+  switch (sweep_) {
+    case Sweep::Translational:
+      terms = n_u * (magnitude.x + u) + n_v * (magnitude.y + v);
+      break;
+    case Sweep::Conic:
+      terms = n_u * (magnitude.x + u * magnitude.z) + n_v * (magnitude.y + v * magnitude.z);
+      break;
+    case Sweep::Rotational: {
+      const Number radius = sqrt(magnitude.x * magnitude.x + magnitude.y * magnitude.y);
+      terms = radius * (n_u * (radius + u) + n_v * (magnitude.z + v));
+      break;
+    }
+  }
+  const Number relative = 16 * number::unit_roundoff<Number>();
+  return relative / (1 - relative) * terms;
 }
 
 }  // namespace lamina::surface

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/contract.hpp"
@@ -470,7 +471,107 @@ class PassingCount {
   bool on_contour_ = false;
 };
 
+PlanePlace place_of(Sweep sweep, const ExactPoint& local) {
+  const auto& [x, y, z] = local;
+  switch (sweep) {
+    case Sweep::Translational:
+      return {x, {}, y};
+    case Sweep::Conic:
+      return {Rational(x / z), {}, y / z};
+    case Sweep::Rotational:
+      break;
+  }
+  return {{}, x * x + y * y, z};
+}
+
+// Of a curve's point from a place, squared, to first order.
+Rational squared_distance(const PlanePlace& place, const Rational& u, const Rational& v) {
+  const Rational dv = v - place.v;
+  if (!place.u && u.is_zero()) {
+    return place.u_squared + dv * dv;
+  }
+  const Rational du = place.u ? u - *place.u : (u * u - place.u_squared) / (2 * u);
+  return du * du + dv * dv;
+}
+
+struct Foot {
+  std::uint32_t piece = 0;
+  Rational s;
+};
+
+// Where a contour has the u or the v of a place that is all but on it, whichever is nearer.
+Foot foot_of(const SweptSurface& surface, const PlanePlace& place) {
+  constexpr int kBits = 320;  // more than any number type here has
+  Foot best;
+  std::optional<Rational> least;
+  const auto pieces = surface.contour().pieces();
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    if (!surface.sweeps(i)) {
+      continue;
+    }
+    const ContourPiece& piece = pieces[i];
+    const auto consider = [&](const Rational& s) {
+      const Rational distance = squared_distance(place, value_at(piece.u, s), value_at(piece.v, s));
+      if (!least || distance < *least) {
+        least = distance;
+        best = {i, s};
+      }
+    };
+    consider(0);
+    const Polynomial in_u = place.u ? shifted(piece.u, -*place.u)
+                                    : shifted(multiply(piece.u, piece.u), -place.u_squared);
+    for (const Polynomial& p : {in_u, shifted(piece.v, -place.v)}) {
+      const IntegerPolynomial f = number::with_cleared_denominators(p);
+      for (const Root& root : f.degree() > 0 ? number::real_roots(f) : std::vector<Root>{}) {
+        if (compare(root, Rational(0)) > 0 && compare(root, Rational(1)) < 0) {
+          consider(enclosure(root, kBits).lower);
+        }
+      }
+    }
+  }
+  return best;
+}
+
+Rational slope_at(const Polynomial& p, const Rational& s) {
+  Polynomial slope;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    slope.push_back(static_cast<long>(i) * p[i]);
+  }
+  return value_at(slope, s);
+}
+
 }  // namespace
+
+std::string_view name_of(Sweep sweep) {
+  switch (sweep) {
+    case Sweep::Translational:
+      return "translational_sweep";
+    case Sweep::Conic:
+      return "conic_sweep";
+    case Sweep::Rotational:
+      break;
+  }
+  return "rotational_sweep";
+}
+
+std::strong_ordering operator<=>(const SweptSurface& a, const SweptSurface& b) {
+  const auto key = [](const SweptSurface& x) {
+    return std::tuple(x.sweep(), x.contour().kind(), x.contour().closed(),
+                      x.contour().points().size());
+  };
+  if (const auto order = key(a) <=> key(b); order != 0) {
+    return order;
+  }
+  for (std::size_t i = 0; i < a.contour().points().size(); ++i) {
+    const geometry::PlanePoint& p = a.contour().points()[i];
+    const geometry::PlanePoint& q = b.contour().points()[i];
+    if (p != q) {
+      return std::tie(p.u, p.v) < std::tie(q.u, q.v) ? std::strong_ordering::less
+                                                     : std::strong_ordering::greater;
+    }
+  }
+  return std::strong_ordering::equal;
+}
 
 SweptSurface::SweptSurface(Sweep sweep, std::shared_ptr<const Contour> contour)
     : sweep_(sweep), contour_(std::move(contour)) {
@@ -489,19 +590,65 @@ bool SweptSurface::sweeps(std::uint32_t piece) const {
 }
 
 int SweptSurface::side(const ExactPoint& local) const {
+  if (sweep_ == Sweep::Conic && local.z.is_zero()) {
+    return local.x.is_zero() && local.y.is_zero() ? 0 : 1;
+  }
+  return PassingCount(*contour_, place_of(sweep_, local)).side();
+}
+
+ExactPoint SweptSurface::normal_at(const ExactPoint& local, std::uint32_t index,
+                                   const Rational& s) const {
   const auto& [x, y, z] = local;
+  const ContourPiece& piece = contour_->pieces()[index];
+  const int side = contour_->orientation();
+  const Rational n_u = side * slope_at(piece.v, s);
+  const Rational n_v = -side * slope_at(piece.u, s);
+  const Rational u = value_at(piece.u, s);
+  const Rational v = value_at(piece.v, s);
   switch (sweep_) {
     case Sweep::Translational:
-      return PassingCount(*contour_, {x, {}, y}).side();
+      return {n_u, n_v, 0};
     case Sweep::Conic:
-      if (z.is_zero()) {
-        return x.is_zero() && y.is_zero() ? 0 : 1;
-      }
-      return PassingCount(*contour_, {Rational(x / z), {}, y / z}).side();
+      return Rational(z.sign()) * ExactPoint{n_u, n_v, -(n_u * u + n_v * v)};
     case Sweep::Rotational:
-      return PassingCount(*contour_, {{}, x * x + y * y, z}).side();
+      break;
   }
-  return 1;
+  return {n_u * x, n_u * y, n_v * u};
+}
+
+ExactPoint SweptSurface::normal_near(const ExactPoint& local) const {
+  if (sweep_ == Sweep::Conic && local.z.is_zero()) {
+    return {0, 0, 0};  // the apex has none
+  }
+  const auto [piece, s] = foot_of(*this, place_of(sweep_, local));
+  return normal_at(local, piece, s);
+}
+
+std::optional<SweptSurface::Facets> SweptSurface::facets(const ExactPoint& local) const {
+  if (sweep_ == Sweep::Rotational || contour_->kind() != geometry::ContourKind::Line ||
+      (sweep_ == Sweep::Conic && local.z.is_zero())) {
+    return std::nullopt;
+  }
+  const PlanePlace place = place_of(sweep_, local);
+  const auto pieces = contour_->pieces();
+  Facets facets;
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    const ContourPiece& piece = pieces[i];
+    const Rational u = *place.u - piece.u[0];
+    const Rational v = place.v - piece.v[0];
+    const Rational along = u * piece.u[1] + v * piece.v[1];
+    const Rational whole = piece.u[1] * piece.u[1] + piece.v[1] * piece.v[1];
+    if (u * piece.v[1] != v * piece.u[1] || along < 0 || along > whole) {
+      continue;
+    }
+    facets.normals.push_back(normal_at(local, i, along / whole));
+    if (along.is_zero()) {
+      const ContourPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
+      const Rational turn = before.u[1] * piece.v[1] - before.v[1] * piece.u[1];
+      facets.convex = turn.sign() * contour_->orientation() >= 0;
+    }
+  }
+  return facets.normals.empty() ? std::nullopt : std::optional(std::move(facets));
 }
 
 SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {

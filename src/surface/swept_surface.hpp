@@ -2,8 +2,11 @@
 // sweeps.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "geometry/contour.hpp"
@@ -19,6 +22,9 @@ enum class Sweep : std::uint8_t {
   Conic,          ///< (u, v) = (x / z, y / z): the infinite cone of both nappes, apex at the origin
   Rotational,     ///< (u, v) = (sqrt(x^2 + y^2), z): the solid of revolution
 };
+
+/// What a scene calls it: `translational_sweep` and so on.
+std::string_view name_of(Sweep sweep);
 
 /// The half-space in local coordinates.
 class SweptSurface {
@@ -50,13 +56,33 @@ class SweptSurface {
   /// -1 inside, 0 on the surface, 1 outside: exact.
   [[nodiscard]] int side(const geometry::ExactPoint& local) const;
 
+  /// The outward normal at a point that is all but on the surface, not of length one: that of the
+  /// piece's curve where it is nearest to the point, as far as that is told by u or v alone. Its
+  /// error is of the order of the point's distance from the surface.
+  [[nodiscard]] geometry::ExactPoint normal_near(const geometry::ExactPoint& local) const;
+
+  /// The planes that the surface consists of around one of its points.
+  struct Facets {
+    std::vector<geometry::ExactPoint> normals;  ///< outward: one, or two where they meet
+    bool convex = true;                         ///< is inside of both what is inside, or of either?
+  };
+  /// Of the sides of a polygon that is not turned; exact. Nothing at a curved piece or the apex.
+  [[nodiscard]] std::optional<Facets> facets(const geometry::ExactPoint& local) const;
+
   /// Is a piece part of the surface? One that a rotational sweep has on its axis is not.
   [[nodiscard]] bool sweeps(std::uint32_t piece) const;
 
   [[nodiscard]] Sweep sweep() const { return sweep_; }
   [[nodiscard]] const geometry::Contour& contour() const { return *contour_; }
 
+  /// Equal if the sweeps are, and the contours by their points, which must begin at the same one.
+  friend std::strong_ordering operator<=>(const SweptSurface& a, const SweptSurface& b);
+
  private:
+  [[nodiscard]] geometry::ExactPoint normal_at(const geometry::ExactPoint& local,
+                                               std::uint32_t piece,
+                                               const number::Rational& s) const;
+
   Sweep sweep_;
   std::shared_ptr<const geometry::Contour> contour_;
 };

@@ -109,6 +109,7 @@ class RayPathOf final : public RayPath {
     csg::LeafIndex leaf = 0;
     csg::Transition transition;
     Vector point;
+    typename method::RayEvents<Number>::Place place;
     Vector gradient;
     std::vector<std::uint8_t> states;  // of the leaves, behind the hit
     method::Hit changed;
@@ -122,7 +123,8 @@ class RayPathOf final : public RayPath {
     level.leaf = crossing.leaf;
     level.transition = interface.transition;
     level.point = events_.point(crossing.t);
-    level.gradient = events_.gradient(crossing.leaf, level.point);
+    level.place = events_.place(crossing);
+    level.gradient = events_.gradient(crossing.leaf, level.point, level.place);
     level.states.resize(scene_.leaves.size());
     for (csg::LeafIndex leaf = 0; leaf < level.states.size(); ++leaf) {
       level.states[leaf] = state_.inside(leaf) ? Inherited::kInside : Inherited::kOutside;
@@ -229,7 +231,7 @@ class RayPathOf final : public RayPath {
     if (policy.kind == Kind::ErrorBound) {
       Number distance(0);
       for (const csg::LeafIndex leaf : leaves_on_surface_of(present().leaf)) {
-        const Number bound = events_.distance_bound(leaf, point);
+        const Number bound = events_.distance_bound(leaf, point, present().place);
         distance = distance < bound ? bound : distance;
       }
       const auto moved = [&distance](const Number& p, const Number& n) {

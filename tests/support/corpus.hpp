@@ -23,7 +23,8 @@ inline std::optional<std::filesystem::path> corpus_folder() {
   return folder;
 }
 
-/// Its models of cubes, spheres, cylinders, maps, colours and the three operators alone.
+/// Its models of cubes, spheres, cylinders, extruded polygons, maps, colours and the three
+/// operators alone.
 inline constexpr std::array kReadableModels{"bosl2_attachments_ex068",
                                             "bosl2_distributors_ex036",
                                             "bosl2_shapes3d_ex022",
@@ -32,14 +33,19 @@ inline constexpr std::array kReadableModels{"bosl2_attachments_ex068",
                                             "dankamongmen_twitchpiece",
                                             "jbazant_bed_socket",
                                             "jbazant_clock_stand",
+                                            "jbazant_hook",
                                             "jbazant_mosaic",
                                             "jbazant_paka_koule",
+                                            "jsconan_sample_sample",
+                                            "jsconan_samples_honeycombed",
                                             "koen_lee_drill_centerer",
                                             "koen_lee_peaucellier",
                                             "koen_lee_pillenbakje_deksel",
                                             "koen_lee_stoelpootdopje",
                                             "koen_lee_thermostat_housing",
+                                            "martmaiste_apollo_air_1_wall_mount",
                                             "martmaiste_pole_mount_round",
+                                            "martmaiste_usb_cap",
                                             "oscex_csg",
                                             "oscex_example001",
                                             "oscex_example003",

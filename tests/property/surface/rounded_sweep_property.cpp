@@ -244,8 +244,8 @@ TEST_CASE("Crossings and normals of swept contours in 237 bits", "[swept]") {
             // long, or 2^-70 / c where c is the cosine between ray and normal, and the angle it is
             // off by half of that times the curvature k: below 2^-40 if k / c < 2^30. Of rounding
             // 2^-237 times a condition is left in 2^-70.
-            const Vector3<Wide> n = rounded.normal(local, found[i]);
             const Vector3<Wide> p = local.origin + found[i].t * local.direction;
+            const Vector3<Wide> n = rounded.normal(p, found[i]);
             const Wide h = ldexp(Wide(1), -70);
             for (const Vector3<Wide>& aside :
                  {Vector3<Wide>{h, h / 3, h / 7}, Vector3<Wide>{-h / 5, h, -h / 2}}) {

@@ -73,7 +73,17 @@ const std::vector<std::string> kFamilies{"coincident-faces",
                                          "onion:3",
                                          "round:ball",
                                          "round:ring",
-                                         "round:cut-ring"};
+                                         "round:cut-ring",
+                                         "sweep-sum:translational:same",
+                                         "sweep-sum:conic:mirrored",
+                                         "sweep-sum:rotational:scaled",
+                                         "sweep-difference:translational:scaled",
+                                         "sweep-difference:conic:same",
+                                         "sweep-difference:rotational:mirrored",
+                                         "sweep-halves:translational",
+                                         "sweep-halves:conic",
+                                         "sweep-halves:rotational",
+                                         "jointed-glass"};
 
 // The material at a point, "" for none, `boundary` on the boundary.
 std::string material_at(const Scene& scene, const Point& p) {
@@ -220,6 +230,8 @@ TEST(FamiliesTest, ErrorsListWhatThereIs) {
   expect_error("family:unclosed:sphere:1:0", {"cylinder, cone, slab"});
   expect_error("family:far-origin:turned:1:1:0", {"translated, scaled"});
   expect_error("family:far-origin:scaled:31:1:0", {"'31'", "from -30 to 30"});
+  expect_error("family:sweep-sum:cubic:same:1:0", {"translational, conic, rotational"});
+  expect_error("family:sweep-sum:conic:other:1:0", {"same, mirrored, scaled"});
   expect_error("family:slab:0:1:0", {"'0'", "above 0"});
   expect_error("family:gap:-1:1:0", {"'-1'", "above 0"});
   expect_error("family:slab:thick:1:0", {"thick"});

@@ -44,17 +44,11 @@ struct Refused {
   const char* place;
   const char* node;
 };
-constexpr std::array kRefused{
-    Refused{"bosl2_masks_ex145", "334:43", "linear_extrude"},
-    Refused{"dankamongmen_face", "5:4", "linear_extrude"},
-    Refused{"dankamongmen_protium_holder", "6:5", "rotate_extrude"},
-    Refused{"jbazant_hook", "4:4", "linear_extrude"},
-    Refused{"jsconan_sample_sample", "88:22", "linear_extrude"},
-    Refused{"jsconan_samples_honeycombed", "11:11", "linear_extrude"},
-    Refused{"martmaiste_apollo_air_1_wall_mount", "6:6", "linear_extrude"},
-    Refused{"martmaiste_usb_cap", "7:6", "linear_extrude"},
-    Refused{"oscex_example017", "4:4", "linear_extrude"},
-    Refused{"scottbez1_pcb", "3:3", "linear_extrude"}};
+constexpr std::array kRefused{Refused{"bosl2_masks_ex145", "387:79", "polyhedron"},
+                              Refused{"dankamongmen_face", "5:4", "linear_extrude"},
+                              Refused{"dankamongmen_protium_holder", "7:6", "multmatrix"},
+                              Refused{"oscex_example017", "6:6", "difference"},
+                              Refused{"scottbez1_pcb", "5:5", "difference"}};
 
 class CorpusTest : public ::testing::Test {
  protected:
@@ -78,7 +72,9 @@ TEST_F(CorpusTest, ReadsItsModels) {
   for (const char* model : support::kReadableModels) {
     const Scene scene = read_scene(file(model, ".csg").string());
     EXPECT_FALSE(scene.tree.empty()) << model;
-    EXPECT_TRUE(scene.warnings.empty()) << model;
+    // One of them has a cube of size zero.
+    EXPECT_EQ(scene.warnings.size(), model == std::string("jsconan_sample_sample") ? 1U : 0U)
+        << model;
     EXPECT_EQ(scene.tree.leaf_count(), scene.leaves.size()) << model;
   }
 }
@@ -132,7 +128,9 @@ TEST(FigureTest, AllAreReadWithoutWarnings) {
     EXPECT_TRUE(scene.warnings.empty()) << path;
     const std::string text = file_text(path);
     EXPECT_TRUE(text.starts_with("// Wyvill and Trotman 1990, Figure ") ||
-                text.starts_with("// van Wijk 1984, section "))
+                text.starts_with("// van Wijk 1984, section ") ||
+                text.starts_with("// Van Wijk 1984, Figure ") ||
+                text.starts_with("// Hashimoto and Suenaga, Figure "))
         << path;
   }
 }

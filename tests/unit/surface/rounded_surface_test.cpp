@@ -289,6 +289,8 @@ TYPED_TEST(RoundedSurfaceTest, TheRoundingErrorIsBounded) {
         value = k * k - 4 * c[0] * c[0] * (local.x * local.x + local.y * local.y);
         break;
       }
+      case Kind::Sweep:
+        FAIL() << "no sweep is in the list";
     }
     const Rational bound = Exact::to_exact(surface.rounding_error(frame.magnitude(world)));
     const Rational error =

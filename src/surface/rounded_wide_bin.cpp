@@ -1,0 +1,8 @@
+#include "number/all_numbers.hpp"
+#include "surface/instantiate_rounded.ipp"
+
+namespace lamina::surface {
+
+LAMINA_FOR_EACH_WIDE_BIN_NUMBER(LAMINA_INSTANTIATE_ROUNDED)
+
+}  // namespace lamina::surface

@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include "scene/scene.hpp"
+#include "scene/writer.hpp"
+#include "support/scenes.hpp"
+
+namespace lamina::scene {
+namespace {
+
+using geometry::ContourKind;
+using number::Rational;
+using support::scene_of;
+using surface::Sweep;
+
+constexpr const char* kTriangle = "contour([[0, 0], [2, 0], [0, 1]]);";
+
+const surface::SweptSurface& sweep_of(const Scene& scene, std::size_t leaf) {
+  return *scene.leaves.at(leaf).surface.sweep;
+}
+
+TEST(SweepNodeTest, StatesHalfSpacesAndTheirCaps) {
+  const Scene prism = scene_of(std::string("translational_sweep() ") + kTriangle);
+  ASSERT_EQ(prism.leaves.size(), 3U);
+  EXPECT_EQ(sweep_of(prism, 0).sweep(), Sweep::Translational);
+  EXPECT_EQ(prism.leaves[0].path, "translational_sweep.side");
+  EXPECT_EQ(prism.leaves[1].surface, surface::plane({0, 0, 1}, 0));
+  EXPECT_EQ(prism.leaves[2].surface, surface::plane({0, 0, -1}, -1));
+  EXPECT_EQ(prism.bounds->upper.x, 2);
+  EXPECT_EQ(prism.bounds->upper.z, 1);
+
+  const Scene pyramid = scene_of(std::string("conic_sweep() ") + kTriangle);
+  ASSERT_EQ(pyramid.leaves.size(), 3U);
+  EXPECT_EQ(sweep_of(pyramid, 0).sweep(), Sweep::Conic);
+
+  const Scene turned =
+      scene_of("rotational_sweep() contour([[0, 0], [3, 1], [0, 2]], closed=false);");
+  ASSERT_EQ(turned.leaves.size(), 1U);
+  EXPECT_EQ(turned.leaves[0].path, "rotational_sweep");
+  EXPECT_FALSE(sweep_of(turned, 0).contour().closed());
+  EXPECT_EQ(turned.bounds->lower.y, -3);
+
+  const Scene infinite = scene_of(std::string("conic_sweep(capped=false) ") + kTriangle);
+  EXPECT_EQ(infinite.leaves.size(), 1U);
+  EXPECT_FALSE(infinite.bounds.has_value());
+}
+
+TEST(SweepNodeTest, ReadsKindsOfContours) {
+  const auto kind = [](const std::string& name) {
+    const Scene scene =
+        scene_of("translational_sweep() contour([[0, 0], [2, 0], [2, 2], [0, 1/3]], kind=\"" +
+                 name + "\");");
+    return sweep_of(scene, 0).contour().kind();
+  };
+  EXPECT_EQ(kind("line"), ContourKind::Line);
+  EXPECT_EQ(kind("bspline"), ContourKind::BSpline);
+  EXPECT_EQ(kind("catmull_rom"), ContourKind::CatmullRom);
+}
+
+TEST(SweepNodeTest, EqualContoursAreOne) {
+  const Scene scene = scene_of(std::string("translational_sweep() ") + kTriangle +
+                               "translate([5, 0, 0]) conic_sweep() " + kTriangle);
+  EXPECT_EQ(&sweep_of(scene, 0).contour(), &sweep_of(scene, 3).contour());
+}
+
+TEST(SweepNodeTest, SweepsInOnePlaceShareACarrier) {
+  const std::string text = std::string("translational_sweep() ") + kTriangle;
+  const Scene scene =
+      scene_of(text + "difference() {" + text + "translate([1, 0, 0]) " + text + "}");
+  EXPECT_EQ(scene.leaves[0].carrier, scene.leaves[3].carrier);
+  EXPECT_NE(scene.leaves[0].carrier, scene.leaves[6].carrier);
+}
+
+TEST(SweepNodeTest, ReadsExtrusionsOfOpenScad) {
+  const Scene straight = scene_of(
+      "linear_extrude(height = 4, center = true, convexity = 1, scale = [1, 1], $fn = 0) {\n"
+      "  group() { polygon(points = [[0, 0], [2, 0], [0, 1]], paths = [[2, 1, 0]], convexity = 1); "
+      "}\n"
+      "}");
+  ASSERT_EQ(straight.leaves.size(), 3U);
+  EXPECT_EQ(straight.leaves[1].surface, surface::plane({0, 0, 1}, -2));
+  EXPECT_EQ(straight.leaves[2].surface, surface::plane({0, 0, -1}, -2));
+  EXPECT_EQ(sweep_of(straight, 0).contour().points().front(), (geometry::PlanePoint{0, 1}));
+
+  const Scene left = scene_of("rotate_extrude() polygon([[-1, 0], [-3, 0], [-2, 1]]);");
+  EXPECT_EQ(sweep_of(left, 0).contour().points()[1], (geometry::PlanePoint{3, 0}));
+  const Scene box = scene_of("linear_extrude(2) square([2, 3], center = true);");
+  EXPECT_EQ(box.bounds->lower.x, -1);
+  EXPECT_EQ(box.bounds->upper.y, Rational(3, 2));
+}
+
+TEST(SweepNodeTest, ConicSplinesAndConeStacksAreOrdinaryTrees) {
+  const Scene spline = scene_of("conic_spline_sweep() contour([[1, 0], [2, 1], [2, 2]]);");
+  EXPECT_EQ(spline.leaves.size(), 12U);  // two conics an interval, and two planes each
+  const Scene cones =
+      scene_of("cone_stack(3) contour([[0, 0], [2, 1], [1, 2], [0, 3]], closed=false);");
+  EXPECT_EQ(cones.leaves.size(), 9U);
+}
+
+TEST(SweepNodeTest, EachReadsBackFromItsText) {
+  const std::string contour = "contour([[1, 0], [2, 1/3], [1, 2]], kind=\"bspline\")";
+  for (const std::string sweep :
+       {"translational_sweep() ", "conic_sweep(capped=false) ", "rotational_sweep() "}) {
+    const Scene scene = scene_of("translate([1, 2, 3]) " + sweep + contour + ";");
+    const std::string text = text_of(syntax_of(scene));
+    const Scene again = scene_of(text);
+    ASSERT_EQ(again.leaves.size(), scene.leaves.size()) << text;
+    for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
+      EXPECT_EQ(again.carriers[again.leaves[i].carrier], scene.carriers[scene.leaves[i].carrier])
+          << text;
+    }
+  }
+}
+
+TEST(SweepErrorTest, NamesTheNodeAndThePoint) {
+  using support::fails_at;
+  EXPECT_TRUE(fails_at("rotational_sweep();", "1:1", "it takes one contour"));
+  EXPECT_TRUE(fails_at("rotational_sweep() cube();", "1:20", "a sweep takes a contour"));
+  EXPECT_TRUE(fails_at("contour([[1, 0], [2, 1], [1, 3]]);", "1:1", "it is no solid"));
+  EXPECT_TRUE(fails_at("conic_sweep() contour([[1, 0], [2, 1]]);", "1:15", "needs 3 points"));
+  EXPECT_TRUE(fails_at("conic_sweep() contour([[1, 0], [2, 1], [2, 1]]);", "1:15",
+                       "point 3 of the contour repeats point 2"));
+  EXPECT_TRUE(fails_at("conic_sweep() contour([[1, 0], [2, 1], [1]]);", "1:40", "2 numbers"));
+  EXPECT_TRUE(fails_at("conic_sweep() contour([[1, 0], [2, 1], [1, 3]], kind=\"round\");", "1:15",
+                       "one of line, bspline, catmull_rom"));
+  EXPECT_TRUE(fails_at("rotational_sweep() contour([[-1, 0], [2, 1], [1, 3]]);", "1:1", "point "));
+  EXPECT_TRUE(fails_at("conic_sweep() contour([[0, 0], [2, 1], [0, 3]], closed=false);", "1:1",
+                       "close it"));
+  EXPECT_TRUE(fails_at("linear_extrude(2, twist = 3) square(1);", "1:27", "leave `twist` out"));
+  EXPECT_TRUE(fails_at("linear_extrude(2, scale = 2) square(1);", "1:27", "leave `scale` out"));
+  EXPECT_TRUE(fails_at("rotate_extrude(angle = 90) square(1);", "1:24", "leave `angle` out"));
+  EXPECT_TRUE(fails_at("linear_extrude(2) polygon([[0, 0], [1, 0], [0, 1]], paths = [[0, 1, 3]]);",
+                       "1:61", "point 3 of `paths`"));
+  EXPECT_TRUE(fails_at("conic_spline_sweep() contour([[1, 0], [2, 1]], kind=\"line\");", "1:53",
+                       "leave `kind` out"));
+  EXPECT_TRUE(fails_at("conic_spline_sweep(arcs=[[3, 1, 0]]) contour([[1, 0], [2, 1]]);", "1:25",
+                       "from 1 to 2"));
+  EXPECT_TRUE(fails_at("cone_stack(0) contour([[1, 0], [2, 1], [1, 3]]);", "1:12", "whole number"));
+}
+
+}  // namespace
+}  // namespace lamina::scene
