@@ -38,10 +38,13 @@ const std::vector<Experiment>& all_experiments() {
                                            same_medium(),
                                            root_faults(),
                                            sweep_coincidence(),
+                                           sweep_race(),
                                            gap_ulps(),
                                            real_models(),
                                            solver_accuracy(),
-                                           solver_effect()};
+                                           solver_effect(),
+                                           sweep_accuracy(),
+                                           printed_formulas()};
   return all;
 }
 

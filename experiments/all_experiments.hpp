@@ -20,6 +20,7 @@ Experiment media();
 Experiment near_tangent();
 Experiment order();
 Experiment precision();
+Experiment printed_formulas();
 Experiment ray_tree_depth();
 Experiment real_models();
 Experiment root_faults();
@@ -30,7 +31,9 @@ Experiment self_sum();
 Experiment solver_accuracy();
 Experiment solver_effect();
 Experiment start_state();
+Experiment sweep_accuracy();
 Experiment sweep_coincidence();
+Experiment sweep_race();
 Experiment thin_wall();
 Experiment touching_stack();
 

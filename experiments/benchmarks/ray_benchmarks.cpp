@@ -7,6 +7,7 @@
 #include "census/truth.hpp"
 #include "experiments/benchmarks/allocation_counter.hpp"
 #include "experiments/benchmarks/solver_benchmarks.hpp"
+#include "experiments/benchmarks/sweep_benchmarks.hpp"
 #include "method/classify.hpp"
 #include "method/tracer.hpp"
 #include "number/all_numbers.hpp"
@@ -126,6 +127,7 @@ int main(int argc, char** argv) {
 #undef LAMINA_REGISTER
   }
   benchmarks::register_solvers();
+  benchmarks::register_sweeps();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -43,7 +43,7 @@ Experiment sweep_coincidence() {
                       "sum, difference: with the same again, with the mirror image of its mirror "
                       "image, or from numbers three times as large; rays go uniformly at the box. "
                       "halves, joints: rays through the planes that divide the solid."}},
-          .default_rays = 4'400,
+          .default_rays = 2'200,
           .default_numbers = "float,double,bin113,exact",
           .series = series};
 }

@@ -85,11 +85,12 @@ std::string_view name_of(SweepSearch search);
 
 /// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial:
 /// of degree 2 (quadrics) and 4 (tori) in t, 3 and 6 (sweeps of splines) in the contour's
-/// parameter.
+/// parameter. That of cubics is not the default of their degree, which finds a root at a joint
+/// twice or not at all: experiments/sweep-accuracy.
 struct Solvers {
   Solver quadratic = default_solver(2);
   Solver quartic = default_solver(4);
-  Solver cubic = default_solver(3);
+  Solver cubic = Solver::Bernstein;
   Solver sextic = default_solver(6);
   Recentring recentring = Recentring::Tori;
   SweepSearch search = SweepSearch::Polynomial;

@@ -12,4 +12,6 @@
   template class RoundedSweep<Number>;                                                      \
   template void parity_crossings(const RoundedSweep<Number>&, const geometry::Ray<Number>&, \
                                  const poly::Solvers&,                                      \
-                                 std::vector<RoundedSweep<Number>::Crossing>&);
+                                 std::vector<RoundedSweep<Number>::Crossing>&);             \
+  template void trim_by_parity(const RoundedSweep<Number>&, const geometry::Ray<Number>&,   \
+                               std::vector<RoundedSweep<Number>::Crossing>&);

@@ -33,4 +33,9 @@ void parity_crossings(const RoundedSweep<Number>& sweep, const geometry::Ray<Num
                       const poly::Solvers& solvers,
                       std::vector<typename RoundedSweep<Number>::Crossing>& crossings);
 
+/// The same from the swept surface's crossings, however they were found, in place.
+template <number::RoundedNumber Number>
+void trim_by_parity(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
+                    std::vector<typename RoundedSweep<Number>::Crossing>& crossings);
+
 }  // namespace lamina::surface

@@ -494,27 +494,45 @@ Rational squared_distance(const PlanePlace& place, const Rational& u, const Rati
   return du * du + dv * dv;
 }
 
-struct Foot {
-  std::uint32_t piece = 0;
-  Rational s;
-};
+// Not above squared_distance of any point of a piece with this rectangle.
+Rational least_squared_distance(const PlanePlace& place, const Rectangle& box) {
+  const Rational dv =
+      std::max({Rational(0), Rational(box.v_min - place.v), Rational(place.v - box.v_max)});
+  if (place.u) {
+    const Rational du =
+        std::max({Rational(0), Rational(box.u_min - *place.u), Rational(*place.u - box.u_max)});
+    return du * du + dv * dv;
+  }
+  // What squared_distance has for du grows with u.
+  const Rational u = least_square(box) > place.u_squared       ? box.u_min
+                     : box.u_max * box.u_max < place.u_squared ? box.u_max
+                                                               : Rational(0);
+  return u <= 0 ? Rational(dv * dv) : squared_distance(place, u, place.v) + dv * dv;
+}
 
 // Where a contour has the u or the v of a place that is all but on it, whichever is nearer.
-Foot foot_of(const SweptSurface& surface, const PlanePlace& place) {
+SweptSurface::Foot foot_of(const SweptSurface& surface, const PlanePlace& place) {
   constexpr int kBits = 320;  // more than any number type here has
-  Foot best;
-  std::optional<Rational> least;
   const auto pieces = surface.contour().pieces();
+  std::vector<std::pair<Rational, std::uint32_t>> nearest_first;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    if (!surface.sweeps(i)) {
-      continue;
+    if (surface.sweeps(i)) {
+      nearest_first.emplace_back(least_squared_distance(place, surface.contour().boxes()[i]), i);
+    }
+  }
+  std::sort(nearest_first.begin(), nearest_first.end());
+  SweptSurface::Foot best;
+  std::optional<Rational> least;
+  for (const auto& [not_below, i] : nearest_first) {
+    if (least && not_below > *least) {
+      break;
     }
     const ContourPiece& piece = pieces[i];
-    const auto consider = [&](const Rational& s) {
+    const auto consider = [&, index = i](const Rational& s) {
       const Rational distance = squared_distance(place, value_at(piece.u, s), value_at(piece.v, s));
       if (!least || distance < *least) {
         least = distance;
-        best = {i, s};
+        best = {index, s};
       }
     };
     consider(0);
@@ -596,10 +614,10 @@ int SweptSurface::side(const ExactPoint& local) const {
   return PassingCount(*contour_, place_of(sweep_, local)).side();
 }
 
-ExactPoint SweptSurface::normal_at(const ExactPoint& local, std::uint32_t index,
-                                   const Rational& s) const {
+ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) const {
   const auto& [x, y, z] = local;
-  const ContourPiece& piece = contour_->pieces()[index];
+  const Rational& s = foot.s;
+  const ContourPiece& piece = contour_->pieces()[foot.piece];
   const int side = contour_->orientation();
   const Rational n_u = side * slope_at(piece.v, s);
   const Rational n_v = -side * slope_at(piece.u, s);
@@ -616,12 +634,16 @@ ExactPoint SweptSurface::normal_at(const ExactPoint& local, std::uint32_t index,
   return {n_u * x, n_u * y, n_v * u};
 }
 
+SweptSurface::Foot SweptSurface::foot_near(const ExactPoint& local) const {
+  LAMINA_REQUIRE(sweep_ != Sweep::Conic || !local.z.is_zero(), "the apex is over no one point");
+  return foot_of(*this, place_of(sweep_, local));
+}
+
 ExactPoint SweptSurface::normal_near(const ExactPoint& local) const {
   if (sweep_ == Sweep::Conic && local.z.is_zero()) {
-    return {0, 0, 0};  // the apex has none
+    return {0, 0, 0};
   }
-  const auto [piece, s] = foot_of(*this, place_of(sweep_, local));
-  return normal_at(local, piece, s);
+  return normal_at(local, foot_near(local));
 }
 
 std::optional<SweptSurface::Facets> SweptSurface::facets(const ExactPoint& local) const {
@@ -641,7 +663,7 @@ std::optional<SweptSurface::Facets> SweptSurface::facets(const ExactPoint& local
     if (u * piece.v[1] != v * piece.u[1] || along < 0 || along > whole) {
       continue;
     }
-    facets.normals.push_back(normal_at(local, i, along / whole));
+    facets.normals.push_back(normal_at(local, {i, along / whole}));
     if (along.is_zero()) {
       const ContourPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
       const Rational turn = before.u[1] * piece.v[1] - before.v[1] * piece.u[1];

@@ -42,6 +42,12 @@ class SweptSurface {
     std::vector<Crossing> crossings;
   };
 
+  /// A point of the contour.
+  struct Foot {
+    std::uint32_t piece = 0;
+    number::Rational s;  ///< 0 <= s < 1, to 2^-320
+  };
+
   /// Throws base::InputError for a contour that the sweep cannot have: an open one, but for
   /// Rotational, for that one with points left of the axis, and one that encloses nothing.
   SweptSurface(Sweep sweep, std::shared_ptr<const geometry::Contour> contour);
@@ -56,9 +62,14 @@ class SweptSurface {
   /// -1 inside, 0 on the surface, 1 outside: exact.
   [[nodiscard]] int side(const geometry::ExactPoint& local) const;
 
-  /// The outward normal at a point that is all but on the surface, not of length one: that of the
-  /// piece's curve where it is nearest to the point, as far as that is told by u or v alone. Its
-  /// error is of the order of the point's distance from the surface.
+  /// Where the contour is nearest to a point that is all but on the surface, as far as that is told
+  /// by u or v alone. Its error is of the order of the point's distance from the surface. Contract:
+  /// not at z = 0 of a conic sweep.
+  [[nodiscard]] Foot foot_near(const geometry::ExactPoint& local) const;
+  /// The outward normal, not of length one, at a point over this one of the contour.
+  [[nodiscard]] geometry::ExactPoint normal_at(const geometry::ExactPoint& local,
+                                               const Foot& foot) const;
+  /// That at foot_near(local); zero at the apex of a conic sweep, which has none.
   [[nodiscard]] geometry::ExactPoint normal_near(const geometry::ExactPoint& local) const;
 
   /// The planes that the surface consists of around one of its points.
@@ -79,10 +90,6 @@ class SweptSurface {
   friend std::strong_ordering operator<=>(const SweptSurface& a, const SweptSurface& b);
 
  private:
-  [[nodiscard]] geometry::ExactPoint normal_at(const geometry::ExactPoint& local,
-                                               std::uint32_t piece,
-                                               const number::Rational& s) const;
-
   Sweep sweep_;
   std::shared_ptr<const geometry::Contour> contour_;
 };

@@ -8,6 +8,7 @@
 #include "method/tracer.hpp"
 #include "poly/solution.hpp"
 #include "scene/rounding.hpp"
+#include "surface/sweep_solution.hpp"
 #include "trace/ray_path.hpp"
 
 namespace lamina::trace {
@@ -27,6 +28,13 @@ struct NumberChoice {
   std::function<double(const std::vector<std::vector<number::Rational>>&,
                        const std::vector<poly::ExactRange>&, poly::Solver)>
       seconds_to_solve{};
+  /// The same for rays at sweeps: surface::cross_sweep and seconds_to_cross.
+  std::function<std::vector<surface::FoundCrossing>(
+      const surface::SweptSurface&, const geometry::ExactRay&, const surface::SweepMethod&)>
+      cross_sweep{};
+  std::function<double(const std::vector<surface::SweptSurface>&,
+                       const std::vector<geometry::ExactRay>&, const surface::SweepMethod&)>
+      seconds_to_cross{};
 };
 
 template <number::RealNumber Number>
@@ -38,6 +46,8 @@ NumberChoice number_choice() {
     choice.make_path = make_ray_path<Number>;
     choice.solve = poly::solve<Number>;
     choice.seconds_to_solve = poly::seconds_to_solve<Number>;
+    choice.cross_sweep = surface::cross_sweep<Number>;
+    choice.seconds_to_cross = surface::seconds_to_cross<Number>;
   }
   return choice;
 }

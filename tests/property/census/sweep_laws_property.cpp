@@ -123,7 +123,7 @@ void require_equal(const MediaAlongRay& a, const MediaAlongRay& b, const ExactRa
 }
 
 TEST_CASE("A polygon's sweep is its half-spaces, interface for interface", "[laws]") {
-  constexpr std::uint64_t kSolids = 12;
+  constexpr std::uint64_t kSolids = 60;
   constexpr int kRays = 40;
   for (const Sweep sweep : support::kSweeps) {
     const bool turned = sweep == Sweep::Rotational;

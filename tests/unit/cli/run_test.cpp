@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -202,15 +203,21 @@ TEST(RunTest, EveryExperimentRunsAndItsTablesParse) {
     ++experiments;
     const std::string folder = scratch.path(name);
     // A ray at least for each series: these have about a hundred, or more.
-    const bool many =
-        name == "self-intersection" || name == "grazing-spawn" || name.starts_with("solver");
-    const bool judges_rays = name != "solver-accuracy";
+    const bool many = name == "self-intersection" || name == "grazing-spawn" ||
+                      name == "sweep-accuracy" || name.starts_with("solver");
+    // Those that make records of their own: their first table, and another.
+    const std::map<std::string, std::array<std::string, 2>> own_tables{
+        {"solver-accuracy", {"accuracy", "ideal"}},
+        {"sweep-accuracy", {"accuracy", "times"}},
+        {"printed-formulas", {"normals", "caps"}},
+        {"sweep-race", {"race", "crossings"}}};
+    const bool judges_rays = !own_tables.contains(name);
     const Outcome run = lamina("run " + name + (many ? " --rays 200" : " --rays 60") +
                                " --numbers double,exact --out " + folder);
     ASSERT_EQ(run.status, 0) << run.error;
     EXPECT_EQ(run.out, lamina("table " + folder).out);
 
-    const std::string table = judges_rays ? "artifacts" : "accuracy";
+    const std::string table = judges_rays ? "artifacts" : own_tables.at(name)[0];
     std::istringstream csv(lamina("table " + folder + " --table " + table + " --format csv").out);
     std::string header;
     std::getline(csv, header);
@@ -242,7 +249,8 @@ TEST(RunTest, EveryExperimentRunsAndItsTablesParse) {
     EXPECT_GT(rows, 0U);
     EXPECT_TRUE(regularized || spawned || !judges_rays || name == "epsilon-sweep");
 
-    for (const std::string other : {judges_rays ? "paired" : "ideal", "clock"}) {
+    for (const std::string& other :
+         {judges_rays ? std::string("paired") : own_tables.at(name)[1], std::string("clock")}) {
       std::istringstream more(lamina("table " + folder + " --format csv --table " + other).out);
       std::getline(more, header);
       const std::size_t columns = fields_of(header).size();

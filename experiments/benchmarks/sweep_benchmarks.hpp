@@ -1,0 +1,8 @@
+// The benchmarks of swept splines.
+#pragma once
+
+namespace lamina::benchmarks {
+
+void register_sweeps();
+
+}  // namespace lamina::benchmarks

@@ -1,0 +1,422 @@
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "census/solver_census.hpp"
+#include "experiments/all_experiments.hpp"
+#include "experiments/normal_angle.hpp"
+#include "experiments/random_sweep.hpp"
+
+namespace lamina::experiments {
+namespace {
+
+using census::ErrorCounts;
+using census::RootCounts;
+using geometry::ContourKind;
+using number::Rational;
+using surface::Sweep;
+using surface::SweptSurface;
+
+// The rays of one row of the tables.
+struct Case {
+  Sweep sweep = Sweep::Translational;
+  ContourKind contour = ContourKind::Line;
+  RayFamily rays;
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> all;
+  for (const Sweep sweep : {Sweep::Translational, Sweep::Conic, Sweep::Rotational}) {
+    std::vector<RayFamily> families{{RayKind::From, 4},           {RayKind::From, 1e3},
+                                    {RayKind::From, 1e6},         {RayKind::Joint, 0},
+                                    {RayKind::Grazing, 1e-3},     {RayKind::Grazing, 1e-6},
+                                    {RayKind::Grazing, 1e-10, 53}};
+    // A ray along the axis crosses no translational sweep, and none of these minds a level one.
+    if (sweep != Sweep::Translational) {
+      families.push_back({RayKind::Along, 0});
+    }
+    for (const double across : {1e-4, 1e-8}) {
+      families.push_back({RayKind::Along, across});
+    }
+    if (sweep != Sweep::Translational) {
+      for (const double axial : {0.0, 1e-8, 1e-4}) {
+        families.push_back({RayKind::Level, axial});
+      }
+    }
+    for (const ContourKind contour :
+         {ContourKind::Line, ContourKind::BSpline, ContourKind::CatmullRom}) {
+      for (const RayFamily& rays : families) {
+        all.push_back({sweep, contour, rays});
+      }
+    }
+  }
+  return all;
+}
+
+// One way to find the contour's parameter in one number type.
+struct Cell {
+  RootCounts t;
+  ErrorCounts s;      // of piece + s, in units of roundoff
+  ErrorCounts angle;  // of the normals, where the piece is right
+  std::uint64_t other_piece = 0;
+  double seconds = 0;
+
+  void merge(const Cell& other) {
+    t.merge(other.t);
+    s.merge(other.s);
+    angle.merge(other.angle);
+    other_piece += other.other_piece;
+    seconds += other.seconds;
+  }
+};
+
+// By number type, then by way, in the order of the lists.
+using Cells = std::map<std::pair<std::size_t, std::size_t>, Cell>;
+
+struct Way {
+  std::string name;
+  surface::SweepMethod method;
+};
+
+std::vector<Way> ways_of(const Settings& settings, const Case& of) {
+  std::vector<Way> ways;
+  if (of.contour == ContourKind::Line) {
+    // Of the first or the second degree, which have no choice.
+    ways.push_back({"equation", {}});
+  } else {
+    std::vector<poly::Solver> solvers = settings.solvers;
+    if (solvers.empty()) {
+      for (const poly::SolverInfo& info : poly::all_solvers()) {
+        // What it leaves open a sweep takes for no root at all.
+        if (info.solver != poly::Solver::Certified) {
+          solvers.push_back(info.solver);
+        }
+      }
+    }
+    for (const poly::Solver solver : solvers) {
+      if (poly::fits(solver, of.sweep == Sweep::Rotational ? 6 : 3)) {
+        Way way{std::string(poly::solver_info(solver).name), {}};
+        way.method.solvers.cubic = solver;
+        if (poly::fits(solver, 6)) {
+          way.method.solvers.sextic = solver;
+        }
+        ways.push_back(std::move(way));
+      }
+    }
+  }
+  for (const auto search : {poly::SweepSearch::Subdivision, poly::SweepSearch::StripTree}) {
+    Way way{std::string(poly::name_of(search)), {}};
+    way.method.solvers.search = search;
+    ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+// A ray and its exact crossings.
+struct Trial {
+  struct Crossing {
+    SweptSurface::Foot foot;
+    geometry::ExactPoint normal;
+  };
+
+  SweptSurface surface;
+  geometry::ExactRay ray;
+  std::vector<number::Root> roots;
+  std::vector<Crossing> crossings;
+};
+
+// Nothing for a ray that runs along the surface.
+std::optional<Trial> draw(const Settings& settings, const Case& of, std::size_t task) {
+  base::SeededStream stream(
+      fmt::format("sweep-accuracy/{}/{}/{}/{}", short_name(of.sweep), geometry::name_of(of.contour),
+                  of.rays.name(), of.rays.parameter),
+      settings.seed, task);
+  Trial trial{any_sweep(stream, of.sweep, of.contour), {}, {}, {}};
+  trial.ray = any_ray(stream, trial.surface, of.rays);
+  const SweptSurface::Crossings exact = trial.surface.crossings(trial.ray);
+  if (exact.in_boundary) {
+    return std::nullopt;
+  }
+  // Point and foot are then off by less than 2^-200, t, below 2^30, included: no unit of 113 bits
+  // shows that, nor the angle in double.
+  constexpr int kBits = 256;
+  for (const SweptSurface::Crossing& crossing : exact.crossings) {
+    const geometry::ExactPoint point =
+        trial.ray.origin + enclosure(crossing.t, kBits).lower * trial.ray.direction;
+    const SweptSurface::Foot foot = trial.surface.foot_near(point);
+    trial.roots.push_back(crossing.t);
+    trial.crossings.push_back({foot, trial.surface.normal_at(point, foot)});
+  }
+  return trial;
+}
+
+// Of piece + s, around a closed contour the short way.
+Rational contour_distance(const SweptSurface& surface, const surface::FoundCrossing& found,
+                          const SweptSurface::Foot& exact) {
+  const Rational distance = abs(Rational(found.piece) + found.s - Rational(exact.piece) - exact.s);
+  const Rational whole = static_cast<unsigned>(surface.contour().pieces().size());
+  return surface.contour().closed() && 2 * distance > whole ? Rational(whole - distance) : distance;
+}
+
+void judge(const Trial& trial, const trace::NumberChoice& number,
+           const std::vector<poly::KnownRoot>& known, const Way& way, Cell& cell) {
+  const std::vector<surface::FoundCrossing> found =
+      number.cross_sweep(trial.surface, trial.ray, way.method);
+  poly::Solution solution;
+  for (const surface::FoundCrossing& crossing : found) {
+    solution.roots.push_back({crossing.t, 1});
+  }
+  const double units = std::ldexp(1.0, number.significand_bits);
+  for (const census::RootPair& pair : census::judge(solution, known, cell.t)) {
+    const surface::FoundCrossing& is = found[pair.found];
+    const Trial::Crossing& should_be = trial.crossings[pair.exact];
+    cell.s.add(number::nearest_double(contour_distance(trial.surface, is, should_be.foot)) * units);
+    if (is.piece == should_be.foot.piece) {
+      cell.angle.add(angle_between(is.normal, should_be.normal));
+    } else {
+      ++cell.other_piece;
+    }
+  }
+}
+
+std::string record_of(const Settings& settings, const Case& of, std::size_t first,
+                      std::size_t last) {
+  const std::vector<Way> ways = ways_of(settings, of);
+  const std::vector<trace::NumberChoice>& numbers = settings.plan.numbers;
+  std::vector<std::optional<Trial>> trials(last - first);
+  std::vector<Cells> of_task(last - first);
+  tbb::task_arena arena(settings.plan.threads > 0 ? settings.plan.threads
+                                                  : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(first, last, [&](std::size_t task) {
+      std::optional<Trial>& trial = trials[task - first];
+      trial = draw(settings, of, task);
+      for (std::size_t n = 0; trial && n < numbers.size(); ++n) {
+        if (numbers[n].significand_bits < of.rays.held_bits) {
+          continue;
+        }
+        std::vector<poly::KnownRoot> known = poly::known(trial->roots, numbers[n].significand_bits);
+        for (poly::KnownRoot& root : known) {
+          root.multiplicity = 1;  // a crossing, whatever the eliminated polynomial has there
+        }
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+          judge(*trial, numbers[n], known, ways[w], of_task[task - first][{n, w}]);
+        }
+      }
+    });
+  });
+  Cells cells;
+  for (const Cells& of_one : of_task) {
+    for (const auto& [key, cell] : of_one) {
+      cells[key].merge(cell);
+    }
+  }
+  std::vector<SweptSurface> surfaces;
+  std::vector<geometry::ExactRay> rays;
+  for (const std::optional<Trial>& trial : trials) {
+    if (trial) {
+      surfaces.push_back(trial->surface);
+      rays.push_back(trial->ray);
+    }
+  }
+  for (auto& [key, cell] : cells) {
+    const Way& way = ways[key.second];
+    if (way.method.solvers.cubic != poly::Solver::Exact) {  // which nobody takes to be fast
+      cell.seconds = numbers[key.first].seconds_to_cross(surfaces, rays, way.method);
+    }
+  }
+  auto record = nlohmann::json::array();
+  for (const auto& [key, cell] : cells) {
+    record.push_back({{"number", numbers[key.first].name},
+                      {"solver", ways[key.second].name},
+                      {"t", cell.t},
+                      {"s", cell.s},
+                      {"angle", cell.angle},
+                      {"other_piece", cell.other_piece},
+                      {"seconds", cell.seconds}});
+  }
+  return record.dump();
+}
+
+std::vector<Series> series(const Settings& settings) {
+  Settings rounded = settings;
+  std::erase_if(rounded.plan.numbers, [](const trace::NumberChoice& n) { return !n.cross_sweep; });
+  const std::vector<Case> cases = all_cases();
+  std::vector<Series> all;
+  for (const Case& of : cases) {
+    Series one;
+    one.labels = {short_name(of.sweep), std::string(geometry::name_of(of.contour)), of.rays.name(),
+                  of.rays.parameter};
+    one.plan = rounded.plan;
+    one.tasks = settings.rays / cases.size();
+    one.record = [rounded, of](std::size_t first, std::size_t last) {
+      return record_of(rounded, of, first, last);
+    };
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+// The cells of each series, by number type and way in the order of the run.
+struct Summary {
+  std::vector<census::Label> labels;
+  std::vector<std::pair<std::pair<std::string, std::string>, Cell>> cells;
+};
+
+Summary summary_of(const LabelledRecords& records) {
+  Summary summary{records.labels, {}};
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (const std::string& record : records.records) {
+    for (const auto& json : nlohmann::json::parse(record)) {
+      Cell cell;
+      json.at("t").get_to(cell.t);
+      json.at("s").get_to(cell.s);
+      json.at("angle").get_to(cell.angle);
+      json.at("other_piece").get_to(cell.other_piece);
+      json.at("seconds").get_to(cell.seconds);
+      const std::pair key{json.at("number").get<std::string>(),
+                          json.at("solver").get<std::string>()};
+      const auto [place, is_new] = places.try_emplace(key, summary.cells.size());
+      if (is_new) {
+        summary.cells.emplace_back(key, Cell());
+      }
+      summary.cells[place->second].second.merge(cell);
+    }
+  }
+  return summary;
+}
+
+std::vector<report::Column> with_cell_columns(const Experiment& experiment,
+                                              std::vector<report::Column> more) {
+  std::vector<report::Column> columns = experiment.labels;
+  columns.insert(columns.end(), {{"number", "number", ""},
+                                 {"solver", "solver",
+                                  "Or another search for the contour's parameter. Polygons have "
+                                  "equations of degree 1 or 2."}});
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+std::vector<report::Value> row_of(const Summary& summary, std::size_t cell) {
+  std::vector<report::Value> row;
+  for (const census::Label& label : summary.labels) {
+    row.push_back(report::value_of(label));
+  }
+  row.push_back(summary.cells[cell].first.first);
+  row.push_back(summary.cells[cell].first.second);
+  return row;
+}
+
+double largest_of(const ErrorCounts& errors) {
+  return errors.size() == 0 ? std::numeric_limits<double>::quiet_NaN() : errors.largest();
+}
+
+report::Table accuracy_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
+  report::Table table{
+      "accuracy",
+      experiment.name,
+      with_cell_columns(
+          experiment,
+          {{"rays", "rays", "Those that run along the surface are left out."},
+           {"wrong_count", "wrong count", "Rays with another number of crossings."},
+           {"wrong_parity", "wrong parity", "Odd in place of even, or the other way round."},
+           {"missed", "missed", "Crossings, in all."},
+           {"spurious", "spurious", "Crossings, in all."},
+           {"largest_ulps", "max ulps", "Error of t, in units in the last place."},
+           {"p99_ulps", "p99 ulps", "All quantiles to 19 %."},
+           {"median_ulps", "median ulps", ""},
+           {"largest_s", "max s", "Error of the contour's parameter, in units of roundoff 2^-p."},
+           {"median_s", "median s", ""},
+           {"other_piece", "other piece", "Crossings that are put on another piece, in all."},
+           {"largest_angle", "max angle",
+            "Of the normal, in radians, where the piece is the right one."},
+           {"median_angle", "median angle", ""}}),
+      {},
+      {"Against the exact crossings. Rays and contours are numbers of 24 bits, those of grazing "
+       "rays at 1e-10 of 53: every number type has the same."}};
+  for (const Summary& summary : summaries) {
+    for (std::size_t i = 0; i < summary.cells.size(); ++i) {
+      const Cell& cell = summary.cells[i].second;
+      const RootCounts& t = cell.t;
+      std::vector<report::Value> row = row_of(summary, i);
+      row.insert(row.end(), {t.polynomials, report::Rate{t.wrong_count, t.polynomials},
+                             report::Rate{t.wrong_parity, t.polynomials}, t.missed, t.spurious,
+                             largest_of(t.ulps), t.ulps.quantile(0.99), t.ulps.quantile(0.5),
+                             largest_of(cell.s), cell.s.quantile(0.5), cell.other_piece,
+                             largest_of(cell.angle), cell.angle.quantile(0.5)});
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+report::Table times_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
+  report::Table table{
+      "times",
+      experiment.name + ": time",
+      with_cell_columns(experiment,
+                        {{"ns", "ns a ray", "By the clock, one pass, one thread."},
+                         {"relative", "relative", "To the fastest of this number type."}}),
+      {},
+      {}};
+  table.on_request = true;
+  for (const Summary& summary : summaries) {
+    const auto ns = [](const Cell& cell) {
+      return 1e9 * cell.seconds / static_cast<double>(cell.t.polynomials);
+    };
+    std::map<std::string, double> fastest;
+    for (const auto& [key, cell] : summary.cells) {
+      if (cell.seconds == 0) {
+        continue;
+      }
+      const auto [place, is_new] = fastest.try_emplace(key.first, ns(cell));
+      place->second = std::min(place->second, ns(cell));
+    }
+    for (std::size_t i = 0; i < summary.cells.size(); ++i) {
+      const auto& [key, cell] = summary.cells[i];
+      if (cell.seconds == 0) {
+        continue;
+      }
+      std::vector<report::Value> row = row_of(summary, i);
+      row.insert(row.end(), {ns(cell), ns(cell) / fastest[key.first]});
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+std::vector<report::Table> tables(const Experiment& experiment,
+                                  const std::vector<LabelledRecords>& records) {
+  std::vector<Summary> summaries;
+  for (const LabelledRecords& of_series : records) {
+    summaries.push_back(summary_of(of_series));
+  }
+  return {accuracy_table(experiment, summaries), times_table(experiment, summaries)};
+}
+
+}  // namespace
+
+Experiment sweep_accuracy() {
+  return {.name = "sweep-accuracy",
+          .question = "How many crossings of a ray with a sweep are wrong, and by how much?",
+          .source = "van Wijk 1984, sections 3 to 5 and 7",
+          .labels = {{"sweep", "sweep", ""},
+                     {"contour", "contour", ""},
+                     {"family", "rays", "How they lie to the surface."},
+                     {"parameter", "parameter", ""}},
+          .default_rays = 5'250,
+          .default_methods = "",
+          .default_numbers = "float,double,longdouble,bin113",
+          .compares_solvers = true,
+          .series = series,
+          .record_tables = tables};
+}
+
+}  // namespace lamina::experiments

@@ -1,0 +1,123 @@
+#include "surface/sweep_solution.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "number/all_numbers.hpp"
+
+namespace lamina::surface {
+namespace {
+
+template <number::RoundedNumber Number>
+geometry::Ray<Number> rounded(const geometry::ExactRay& ray) {
+  const auto point = [](const geometry::ExactPoint& p) {
+    const auto nearest = number::number_traits<Number>::from_exact;
+    return geometry::Vector3<Number>{nearest(p.x), nearest(p.y), nearest(p.z)};
+  };
+  return {point(ray.origin), point(ray.direction)};
+}
+
+// The crossings of the solid that a swept surface bounds with planes z = 0 and z = 1, from its own.
+template <number::RoundedNumber Number>
+void cross_half_spaces(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
+                       bool starts_inside,
+                       std::vector<typename RoundedSweep<Number>::Crossing>& crossings) {
+  using Crossing = typename RoundedSweep<Number>::Crossing;
+  if (sweep.sweep() == Sweep::Rotational) {
+    return;
+  }
+  const Number& o_z = local.origin.z;
+  const Number& d_z = local.direction.z;
+  // Of the surface, of z >= 0 and of z <= 1, for t towards -infinity.
+  std::array inside{starts_inside, d_z == 0 ? o_z >= 0 : d_z < 0, d_z == 0 ? o_z <= 1 : d_z > 0};
+  if (d_z != 0) {
+    crossings.push_back({-o_z / d_z, Number(0), kBasePlane});
+    crossings.push_back({(1 - o_z) / d_z, Number(0), kCapPlane});
+    std::sort(crossings.begin(), crossings.end(),
+              [](const Crossing& x, const Crossing& y) { return x.t < y.t; });
+  }
+  const auto in_all = [&inside] { return inside[0] && inside[1] && inside[2]; };
+  std::erase_if(crossings, [&](const Crossing& crossing) {
+    const bool before = in_all();
+    bool& one = inside[crossing.piece == kBasePlane ? 1 : crossing.piece == kCapPlane ? 2 : 0];
+    one = !one;
+    return before == in_all();
+  });
+}
+
+template <number::RoundedNumber Number>
+void find(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
+          const SweepMethod& method,
+          std::vector<typename RoundedSweep<Number>::Crossing>& crossings) {
+  const bool starts_inside = method.caps == SweepMethod::Caps::HalfSpaces &&
+                             sweep.starts_inside(local, method.solvers, crossings);
+  sweep.find_crossings(local, method.solvers, crossings);
+  if (method.lost && !crossings.empty()) {
+    crossings.erase(crossings.begin() +
+                    static_cast<std::ptrdiff_t>(*method.lost % crossings.size()));
+  }
+  switch (method.caps) {
+    case SweepMethod::Caps::None:
+      break;
+    case SweepMethod::Caps::Parity:
+      trim_by_parity(sweep, local, crossings);
+      break;
+    case SweepMethod::Caps::HalfSpaces:
+      cross_half_spaces(sweep, local, starts_inside, crossings);
+      break;
+  }
+}
+
+}  // namespace
+
+template <number::RoundedNumber Number>
+std::vector<FoundCrossing> cross_sweep(const SweptSurface& surface, const geometry::ExactRay& local,
+                                       const SweepMethod& method) {
+  using Traits = number::number_traits<Number>;
+  const RoundedSweep<Number> sweep(surface, method.printed);
+  const geometry::Ray<Number> ray = rounded<Number>(local);
+  std::vector<typename RoundedSweep<Number>::Crossing> crossings;
+  find(sweep, ray, method, crossings);
+  std::vector<FoundCrossing> found;
+  for (const auto& crossing : crossings) {
+    geometry::ExactPoint normal{0, 0, 0};
+    if (crossing.piece != kBasePlane && crossing.piece != kCapPlane) {
+      const auto n = sweep.normal(ray.origin + crossing.t * ray.direction, crossing);
+      normal = {Traits::to_exact(n.x), Traits::to_exact(n.y), Traits::to_exact(n.z)};
+    }
+    found.push_back(
+        {Traits::to_exact(crossing.t), Traits::to_exact(crossing.s), crossing.piece, normal});
+  }
+  return found;
+}
+
+template <number::RoundedNumber Number>
+double seconds_to_cross(const std::vector<SweptSurface>& surfaces,
+                        const std::vector<geometry::ExactRay>& local, const SweepMethod& method) {
+  std::vector<RoundedSweep<Number>> sweeps;
+  std::vector<geometry::Ray<Number>> rays;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    sweeps.emplace_back(surfaces[i], method.printed);
+    rays.push_back(rounded<Number>(local[i]));
+  }
+  std::vector<typename RoundedSweep<Number>::Crossing> crossings;
+  const auto start = std::chrono::steady_clock::now();
+  // What is found must be used, or the compiler may leave it out.
+  [[maybe_unused]] volatile std::size_t count = 0;
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    find(sweeps[i], rays[i], method, crossings);
+    count = crossings.size();
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+#define LAMINA_INSTANTIATE(Number)                                                 \
+  template std::vector<FoundCrossing> cross_sweep<Number>(                         \
+      const SweptSurface&, const geometry::ExactRay&, const SweepMethod&);         \
+  template double seconds_to_cross<Number>(const std::vector<SweptSurface>&,       \
+                                           const std::vector<geometry::ExactRay>&, \
+                                           const SweepMethod&);
+LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_INSTANTIATE)
+#undef LAMINA_INSTANTIATE
+
+}  // namespace lamina::surface
