@@ -9,6 +9,7 @@ void add_trace(CLI::App& app);
 void add_locate(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_census(CLI::App& app);
+void add_convert(CLI::App& app);
 void add_minimise(CLI::App& app);
 void add_run(CLI::App& app);
 void add_render(CLI::App& app);

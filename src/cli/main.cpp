@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   cli::add_explain(app);
   cli::add_census(app);
   cli::add_minimise(app);
+  cli::add_convert(app);
   cli::add_run(app);
   cli::add_render(app);
   cli::add_solve(app);

@@ -71,14 +71,6 @@ bool is_declaration(const Node& node) {
          (node.name == "material" && node.ended_by_semicolon);
 }
 
-struct TextureName {
-  std::string_view name;
-  Texture texture;
-};
-constexpr std::array kTextures{TextureName{"wood", Texture::Wood},
-                               TextureName{"marble", Texture::Marble},
-                               TextureName{"checker", Texture::Checker}};
-
 std::array<double, 4> rgba(const Color& color) {
   using number::nearest_double;
   return {nearest_double(color[0]), nearest_double(color[1]), nearest_double(color[2]),
@@ -277,13 +269,11 @@ class Builder {
       stated = true;
     }
     if (const std::optional<std::string> texture = arguments.text("texture")) {
-      const auto* const found =
-          std::find_if(kTextures.begin(), kTextures.end(),
-                       [&texture](const TextureName& known) { return known.name == *texture; });
-      if (found == kTextures.end()) {
+      const std::optional<Texture> found = texture_named(*texture);
+      if (!found) {
         arguments.fail_at("texture", "`texture` must be \"wood\", \"marble\" or \"checker\"");
       }
-      look.texture = found->texture;
+      look.texture = *found;
       stated = true;
     }
     return stated ? std::optional(look) : std::nullopt;

@@ -5,6 +5,29 @@
 
 namespace lamina::scene {
 
+std::string_view name_of(Texture texture) {
+  switch (texture) {
+    case Texture::Wood:
+      return "wood";
+    case Texture::Marble:
+      return "marble";
+    case Texture::Checker:
+      return "checker";
+    case Texture::None:
+      break;
+  }
+  return "";
+}
+
+std::optional<Texture> texture_named(std::string_view name) {
+  for (const Texture texture : {Texture::Wood, Texture::Marble, Texture::Checker}) {
+    if (name_of(texture) == name) {
+      return texture;
+    }
+  }
+  return std::nullopt;
+}
+
 MaterialTable::MaterialTable() : materials_(1), has_look_{false} {
   materials_[csg::kEmpty].color = {0, 0, 0, 0};
 }

@@ -4,11 +4,16 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.hpp"
 
 namespace lamina::scene {
+
+/// What a scene calls a texture: `wood` and so on; nothing for none.
+std::string_view name_of(Texture texture);
+std::optional<Texture> texture_named(std::string_view name);
 
 class MaterialTable {
  public:

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
+
+#include "scene/materials.hpp"
 
 namespace lamina::scene {
 
@@ -141,6 +144,46 @@ std::vector<Node> transforms(const AffineMap& map) {
     rows.push_back(list({row.begin(), row.end()}));
   }
   return {node("multmatrix", {Value{0, std::move(rows)}})};
+}
+
+// The shortest decimals that are read as these doubles.
+Value decimal(double value) { return {0, number::parse_rational(fmt::format("{}", value))}; }
+
+template <std::size_t Count>
+Value decimals(const std::array<double, Count>& values) {
+  Value::List list;
+  std::transform(values.begin(), values.end(), std::back_inserter(list), decimal);
+  return {0, std::move(list)};
+}
+
+// `material("name", ...)` with what is not as in a material of which nothing is stated.
+Node look_of(const Material& material) {
+  const Material plain;
+  Node look = node("material", {Value{0, material.name}});
+  const auto state = [&look](const char* name, bool differs, const auto& value) {
+    if (differs) {
+      look.arguments.push_back({0, name, value()});
+    }
+  };
+  const auto number = [&](const char* name, double Material::*member) {
+    state(name, material.*member != plain.*member, [&] { return decimal(material.*member); });
+  };
+  state("color", material.color != plain.color, [&] { return decimals(material.color); });
+  state("index", material.refractive_index != plain.refractive_index, [&] {
+    return Value{0, material.refractive_index};
+  });
+  number("mirror", &Material::mirror);
+  number("ambient", &Material::ambient);
+  number("diffuse", &Material::diffuse);
+  number("specular", &Material::specular);
+  number("shininess", &Material::shininess);
+  state("texture", material.texture != plain.texture, [&] {
+    return Value{0, std::string(name_of(material.texture))};
+  });
+  state("second_color", material.second_color != plain.second_color,
+        [&] { return decimals(material.second_color); });
+  number("grain", &Material::grain);
+  return look;
 }
 
 class Writer {
@@ -341,6 +384,38 @@ void append(std::string& text, const Node& node, std::size_t indent) {
 }  // namespace
 
 Node syntax_of(const Scene& scene) { return Writer(scene).root(); }
+
+Node declarations_of(const Scene& scene) {
+  Node root;
+  root.name = "root";
+  // The first is the empty medium.
+  for (auto material = std::next(scene.materials.begin()); material != scene.materials.end();
+       ++material) {
+    Node look = look_of(*material);
+    if (look.arguments.size() > 1) {
+      root.children.push_back(std::move(look));
+    }
+  }
+  const auto named = [](std::string name, Value value) {
+    return Argument{0, std::move(name), std::move(value)};
+  };
+  if (scene.camera) {
+    const Camera& camera = *scene.camera;
+    root.children.push_back(node("camera", {}));
+    root.children.back().arguments = {
+        named("eye", vector(camera.eye)), named("look_at", vector(camera.look_at)),
+        named("up", vector(camera.up)), named("fov", Value{0, camera.fov_degrees})};
+  }
+  for (const Light& light : scene.lights) {
+    root.children.push_back(node("light", {}));
+    root.children.back().arguments = {named("position", vector(light.position)),
+                                      named("color", decimals(light.color))};
+  }
+  if (scene.background != Scene().background) {
+    root.children.push_back(node("background", {decimals(scene.background)}));
+  }
+  return root;
+}
 
 std::string text_of(const Node& root) {
   std::string text;

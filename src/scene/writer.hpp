@@ -15,6 +15,10 @@ namespace lamina::scene {
 /// colours are left out, and paths follow the new text.
 Node syntax_of(const Scene& scene);
 
+/// Returns the nodes that state the scene's materials that have a look, its camera, lights and
+/// background, under one root: before those of syntax_of, they make up the whole scene.
+Node declarations_of(const Scene& scene);
+
 /// Returns the text of the nodes under `root`, indented, each ending in a newline. Exact.
 std::string text_of(const Node& root);
 

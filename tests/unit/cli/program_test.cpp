@@ -259,6 +259,31 @@ TEST(ProgramTest, RenderWritesAPictureAndTheMapOfItsArtifacts) {
   EXPECT_EQ(rows.size(), 7U);
 }
 
+TEST(ProgramTest, ConvertWritesTheSameScene) {
+  const Scratch scratch;
+  const std::string glass = LAMINA_SOURCE_DIR "/data/scenes/hashimoto_figure2.csg";
+  const Outcome printed = lamina("convert " + glass);
+  ASSERT_EQ(printed.status, 0) << printed.error;
+  // 25 quadrics and a torus, of a paper; the table and the wall are planes.
+  const auto count = [&printed](const std::string& node) {
+    std::size_t found = 0;
+    for (auto at = printed.out.find(node); at != std::string::npos;
+         at = printed.out.find(node, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("quadric(") + count("infinite_cylinder("), 25U);
+  EXPECT_EQ(count("torus("), 1U);
+  ASSERT_EQ(lamina("convert " + glass + " -o " + scratch.path("glass.csg")).status, 0);
+  EXPECT_EQ(read(scratch.path("glass.csg")), printed.out);
+  const std::string rays = scratch.write("rays", "4 -38 18 -4 38 -10\n0 -9 8 1/100 1 0\n");
+  const Outcome traced = lamina("trace " + scratch.path("glass.csg") + " --truth --rays " + rays);
+  EXPECT_EQ(traced.status, 0) << traced.error;
+  EXPECT_EQ(traced.out, lamina("trace " + glass + " --truth --rays " + rays).out);
+  EXPECT_EQ(lamina("convert " + glass + " -o /nowhere/x.csg").status, 2);
+}
+
 TEST(ProgramTest, RenderSaysWhatItCannotDo) {
   const Scratch scratch;
   const std::string figure = LAMINA_SOURCE_DIR "/data/scenes/figure14_box.csg";

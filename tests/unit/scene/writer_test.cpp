@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/seeded_stream.hpp"
@@ -52,11 +53,38 @@ void expect_round_trip(const Scene& scene) {
   EXPECT_EQ(written(read), text);
 }
 
+// What is declared: the materials of the solid by their names, and what stands besides them.
+void expect_same_declarations(const Scene& scene) {
+  const std::string text = text_of(declarations_of(scene)) + written(scene);
+  SCOPED_TRACE(text.substr(0, 2000));
+  const Scene read = scene_of(text);
+  expect_same(scene, read);
+  for (const Material& material : scene.materials) {
+    EXPECT_EQ(std::count(read.materials.begin(), read.materials.end(), material), 1)
+        << material.name;
+  }
+  ASSERT_EQ(read.camera.has_value(), scene.camera.has_value());
+  if (scene.camera) {
+    EXPECT_EQ(read.camera->eye, scene.camera->eye);
+    EXPECT_EQ(read.camera->look_at, scene.camera->look_at);
+    EXPECT_EQ(read.camera->up, scene.camera->up);
+    EXPECT_EQ(read.camera->fov_degrees, scene.camera->fov_degrees);
+  }
+  ASSERT_EQ(read.lights.size(), scene.lights.size());
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    EXPECT_EQ(read.lights[i].position, scene.lights[i].position);
+    EXPECT_EQ(read.lights[i].color, scene.lights[i].color);
+  }
+  EXPECT_EQ(read.background, scene.background);
+}
+
 TEST(WriterTest, FiguresReadBackAsTheyWere) {
   const auto folder = std::filesystem::path(LAMINA_SOURCE_DIR) / "data" / "scenes";
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    expect_round_trip(read_scene(entry.path().string()));
+    const Scene scene = read_scene(entry.path().string());
+    expect_round_trip(scene);
+    expect_same_declarations(scene);
     ++scenes;
   }
   EXPECT_GE(scenes, 16);
