@@ -618,7 +618,7 @@ Experiment sweep_race() {
           .question =
               "Are quadrics and a torus twenty times faster than a swept cubic spline, "
               "where both are as good?",
-          .source = "Hashimoto and Suenaga 1989, section 4; van Wijk 1984, sections 5 and 7",
+          .source = "Hashimoto and Suenaga, section 4; van Wijk 1984, sections 5 and 7",
           .labels = {{"shape", "shape", "vase: a solid; glass: with a wall and a round rim."},
                      {"equal", "equal", "What is not above the limit, by as few points as can be."},
                      {"limit", "limit", "Distances over the height, normals in radians."}},

@@ -217,7 +217,8 @@ bool is_generic(const Scene& scene, const ExactRay& ray) {
   std::vector<number::Root> roots;
   for (const surface::Carrier& carrier : scene.carriers) {
     const surface::CarrierOnRay on_ray(carrier, ray, monomials);
-    if (on_ray.contains_ray() || !on_ray.touches().empty()) {
+    // Whether a ray touches a sweep is not known.
+    if (carrier.sweep || on_ray.contains_ray() || !on_ray.touches().empty()) {
       return false;
     }
     for (number::Root& root : on_ray.crossings()) {

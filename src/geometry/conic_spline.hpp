@@ -17,7 +17,7 @@ struct SlopeAt {
   number::Rational slope;  ///< d(x^2)/dy, which is 2x dx/dy
 };
 
-/// An arc of a circle at a singular point (Hashimoto and Suenaga 1989, section 2).
+/// An arc of a circle at a singular point (Hashimoto and Suenaga, section 2).
 ///
 /// A point off the axis where the profile turns from up to down or back is the top or the bottom of
 /// the circle. The arc ends at both sides at one height, so that one plane trims the torus: where
@@ -62,7 +62,7 @@ struct ArcAt {
 /// two slopes or two arcs, or a slope besides an arc, if slopes lead to the axis between points, or
 /// if the pieces do not go round a solid.
 ///
-/// Source: Hashimoto and Suenaga 1989, section 2; Schumaker 1983, lemmas 2.3 to 2.5.
+/// Source: Hashimoto and Suenaga, section 2; Schumaker 1983.
 RevolvedProfile fit_conic_spline(std::span<const PlanePoint> points, std::span<const ArcAt> arcs,
                                  std::span<const SlopeAt> slopes = {});
 

@@ -178,14 +178,6 @@ Rational Conic::square_at(const Rational& y) const { return (alpha * y + beta) *
 
 Rational Conic::slope_at(const Rational& y) const { return 2 * alpha * y + beta; }
 
-Ends ends_of(const ProfilePiece& piece) {
-  if (is_turn(piece)) {
-    const Rational& y = std::get<Arc>(piece).part == ArcPart::Above ? low(piece) : high(piece);
-    return {y, y};
-  }
-  return side(piece) > 0 ? Ends{low(piece), high(piece)} : Ends{high(piece), low(piece)};
-}
-
 RevolvedProfile::RevolvedProfile(std::vector<ProfilePiece> pieces) : pieces_(std::move(pieces)) {
   LAMINA_REQUIRE(!pieces_.empty(), "a profile without pieces");
   layers_ = from_outside_in(chains(pieces_));

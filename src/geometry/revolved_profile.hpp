@@ -13,7 +13,7 @@
 namespace lamina::geometry {
 
 /// x^2 = alpha y^2 + beta y + gamma with x >= 0 at the heights y_low <= y <= y_high: a conic of
-/// Hashimoto and Suenaga 1989, equation 1, divided by -a11. About the axis x = 0 it turns into a
+/// Hashimoto and Suenaga, equation 1, divided by -a11. About the axis x = 0 it turns into a
 /// quadric.
 struct Conic {
   number::Rational alpha;
@@ -83,17 +83,9 @@ class RevolvedProfile {
   std::vector<Layer> layers_;
 };
 
-/// A piece's first and last height in the order of the profile. They are equal for arcs above and
-/// below.
-struct Ends {
-  number::Rational first;
-  number::Rational last;
-};
-Ends ends_of(const ProfilePiece& piece);
-
 /// Returns the profile of straight lines through the points of the contour at `count` equal steps
 /// of its parameter, which runs over an equal range on each of the contour's pieces; exact. The
-/// lines turn into cones, cylinders and planes (Horiuchi et al. 1985, as Hashimoto and Suenaga 1989
+/// lines turn into cones, cylinders and planes (Horiuchi et al. 1985, as Hashimoto and Suenaga
 /// describe it); level lines and those on the axis have no piece: what is next to them ends there.
 /// Throws base::InputError if count is 0, if the contour gets to negative u, or if the lines do not
 /// go round a solid.

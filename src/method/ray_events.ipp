@@ -93,9 +93,15 @@ void RayEvents<Number>::find_on_sweep(csg::LeafIndex leaf,
   using std::abs;
   const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
   std::vector<Place>& places = places_[leaf];
-  bool inside = sweep.starts_inside(local, solvers_, scratch_);
+  const int start = sweep.find_crossings(local, solvers_, places)
+                        ? sweep.side_at_minus_infinity(local, places, solvers_, scratch_)
+                        : 0;
+  in_carrier_[leaf] = start == 0 ? 1 : 0;
+  bool inside = start < 0;
   starts_inside_[leaf] = inside ? 1 : 0;
-  sweep.find_crossings(local, solvers_, places);
+  if (start == 0) {
+    places.clear();
+  }
   if (is_left && !places.empty()) {
     std::min_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
       return abs(a.t) < abs(b.t);
@@ -137,7 +143,7 @@ bool RayEvents<Number>::inside(csg::LeafIndex leaf, const geometry::Vector3<Numb
   const LeafData& data = leaves_[leaf];
   const geometry::Vector3<Number> local = frames_[data.frame].point(world);
   if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface)) {
-    return sweep->inside(local, solvers_, scratch_);
+    return sweep->side(local, solvers_, scratch_) <= 0;
   }
   return std::get_if<surface::RoundedSurface<Number>>(&data.surface)->inside(local);
 }

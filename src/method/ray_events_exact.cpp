@@ -63,6 +63,9 @@ bool RayEvents<exact>::starts_inside(csg::LeafIndex leaf, const Rational& refere
 
 bool RayEvents<exact>::inside_at(csg::LeafIndex leaf, const Root& t) const {
   const scene::Leaf& l = scene_->leaves[leaf];
+  if (in_carrier_[leaf] != 0 && scene_->carriers[l.carrier].sweep) {
+    return false;  // it runs along a part of the sweep only, and by convention is outside
+  }
   return l.side * carriers_[l.carrier].sign_at(t) <= 0;
 }
 

@@ -94,7 +94,7 @@ struct Solvers {
   Solver sextic = default_solver(6);
   Recentring recentring = Recentring::Tori;
   SweepSearch search = SweepSearch::Polynomial;
-  RootFault fault{};
+  RootFault fault{};  ///< made in the roots of all but sweeps
 };
 
 /// Returns the roots of c_0 + c_1 t + ... + c_n t^n in the range, ascending, as the solver finds

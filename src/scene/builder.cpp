@@ -359,9 +359,10 @@ class Builder {
   }
 
   Expression sweep(const Node& node, const SweepNode& sweep, const Context& context) {
-    std::vector<const Node*> figures = children(node);
-    while (figures.size() == 1 && is_group(figures.front()->name)) {
-      figures = children(*figures.front());
+    const std::vector<const Node*> figures = figures_in(node);
+    if (figures.empty() && sweep.is_extrusion) {
+      warn(node, "there is nothing in it, so it is empty");
+      return Expression::empty();
     }
     if (figures.size() != 1) {
       fail(node, fmt::format("it takes one contour: {}", sweep.signature.usage));
@@ -372,6 +373,20 @@ class Builder {
     }
     return placed(node, sweep.read(arguments, PlaneFigure(source_, *figures.front(), contours_)),
                   arguments, context);
+  }
+
+  // What the node is applied to, groups around it left out.
+  static std::vector<const Node*> figures_in(const Node& node) {
+    std::vector<const Node*> figures;
+    for (const Node* child : children(node)) {
+      if (is_group(child->name)) {
+        const auto inner = figures_in(*child);
+        figures.insert(figures.end(), inner.begin(), inner.end());
+      } else {
+        figures.push_back(child);
+      }
+    }
+    return figures;
   }
 
   // Does the node do nothing but stand around its children?

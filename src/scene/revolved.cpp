@@ -48,8 +48,8 @@ Solid solid_of(const Arc& arc) {
 // A rational that is not below the root: (s + k^2) / 2k for any k > 0, by the two means.
 Rational root_from_above(const Rational& square) {
   const double near = std::sqrt(number::nearest_double(square));
-  if (near == 0) {
-    return square;
+  if (near == 0 || !std::isfinite(near)) {  // zero, or beyond the doubles
+    return square > 0 && square < 1 ? Rational(1) : square;
   }
   const Rational k = near;
   return (square + k * k) / (2 * k);

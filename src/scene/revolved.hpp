@@ -12,7 +12,7 @@ namespace lamina::scene {
 /// neighbours meet in two planes that coincide exactly; what they bound is added or taken away
 /// layer by layer, from outside in. A profile without arcs (inscribed_cones) gives quadrics only.
 /// The box holds the solid: its radius is rounded up, by less than one part in 10^15.
-/// Source: Hashimoto and Suenaga 1989, equations 2 and 3; Horiuchi et al. 1985 for cones.
+/// Source: Hashimoto and Suenaga, equations 2 and 3; Horiuchi et al. 1985 for cones.
 Solid revolved_solid(const geometry::RevolvedProfile& profile);
 
 }  // namespace lamina::scene

@@ -207,7 +207,9 @@ Solid rotate_extrude(const Arguments& arguments, const PlaneFigure& figure) {
     for (PlanePoint& p : points) {
       p.u = -p.u;
     }
-    contour = std::make_shared<const Contour>(std::move(points), contour->kind(), true);
+    contour = at(arguments, [&] {
+      return std::make_shared<const Contour>(std::move(points), contour->kind(), contour->closed());
+    });
   }
   return turned(arguments, std::move(contour));
 }
@@ -238,7 +240,7 @@ Solid conic_spline(const Arguments& arguments, const PlaneFigure& figure) {
 }
 
 Solid cone_stack(const Arguments& arguments, const PlaneFigure& figure) {
-  constexpr int kMostPieces = 100'000;
+  constexpr int kMostPieces = 2'000;  // all pairs of which are compared
   const Rational pieces = *arguments.number("pieces");
   if (denominator(pieces) != 1 || pieces < 1 || pieces > kMostPieces) {
     arguments.fail_at("pieces",
@@ -268,10 +270,12 @@ const std::array kSweeps{
     SweepNode{"linear_extrude",
               {"linear_extrude(height = number, center = false) polygon(...);",
                {"height", "center", "convexity", "twist", "slices", "scale"}},
-              linear_extrude},
+              linear_extrude,
+              true},
     SweepNode{"rotate_extrude",
               {"rotate_extrude() polygon(...);", {"angle", "convexity"}},
-              rotate_extrude},
+              rotate_extrude,
+              true},
 };
 
 }  // namespace

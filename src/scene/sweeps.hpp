@@ -38,6 +38,7 @@ struct SweepNode {
   Signature signature;
   /// Errors of the arguments, and those of a contour that cannot be swept like this, are its own.
   Solid (*read)(const Arguments& arguments, const PlaneFigure& figure);
+  bool is_extrusion = false;  ///< OpenSCAD's, which may have nothing to extrude
 };
 
 /// The sweep of that name, or null.

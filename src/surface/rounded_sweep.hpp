@@ -46,8 +46,8 @@ class RoundedSweep {
   /// place of his very small numbers, unless one is given: at one z in a rotational sweep v(s) =
   /// o_z, and two t on the circle; parallel to the axis u(s) is the distance from it. The pieces
   /// are reached by a tree of their rectangles, which leaves out none that its own does not rule
-  /// out. Roots that the solver knows to be of even multiplicity are touches, and left out; a ray
-  /// for which the equation of a piece holds all along crosses nothing.
+  /// out. Roots that the solver knows to be of even multiplicity are touches, and left out. Returns
+  /// false, and no crossings, for a ray for which the equation of a piece holds all along.
   ///
   /// By his rule a joint belongs to the piece with s = 0: a ray that touches a corner there crosses
   /// it once, as far as a solver can tell; the other searches decide it by the signs of the image
@@ -58,7 +58,7 @@ class RoundedSweep {
   ///         coefficients are the more off the farther away the ray starts, and with them s; and as
   ///         a ray gets nearly level, t is off by some u (|d| / d_z)^2: for |d_z| below some
   ///         sqrt(u) |d| its two crossings of a steep piece are lost.
-  void find_crossings(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
+  bool find_crossings(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
                       std::vector<Crossing>& crossings) const;
 
   /// Are all of the piece's points off the ray, for certain if nothing underflows? Van Wijk's
@@ -67,18 +67,20 @@ class RoundedSweep {
   [[nodiscard]] bool rules_out(const geometry::Ray<Number>& local, std::uint32_t piece) const;
 
   /// The outward normal at a crossing's point, not of length one: van Wijk's, but the right n_z of
-  /// a conic sweep, -(n_x u + n_y v). Contract: not at the apex of a conic sweep, nor on the axis.
+  /// a conic sweep, -(n_x u + n_y v). Contract: not at the apex of a conic sweep.
   [[nodiscard]] geometry::Vector3<Number> normal(const geometry::Vector3<Number>& local,
                                                  const Crossing& crossing) const;
 
-  /// Is the ray inside for t towards -infinity? Only one in a prism along its axis, or in a cone.
-  /// `scratch` is overwritten.
-  [[nodiscard]] bool starts_inside(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
-                                   std::vector<Crossing>& scratch) const;
-  /// Is a point inside, or on the surface? By the parity of the crossings of a half-line in the
-  /// contour's plane; `scratch` is overwritten.
-  [[nodiscard]] bool inside(const geometry::Vector3<Number>& local, const poly::Solvers& solvers,
-                            std::vector<Crossing>& scratch) const;
+  /// Of a point: -1 inside, 0 on the surface, 1 outside. By the parity of the crossings of a
+  /// half-line in the contour's plane that runs along no straight piece; `scratch` is overwritten.
+  [[nodiscard]] int side(const geometry::Vector3<Number>& local, const poly::Solvers& solvers,
+                         std::vector<Crossing>& scratch) const;
+  /// The same of a ray's points for t towards -infinity, given its crossings: outside but for one
+  /// in a prism along its axis, or in a cone. `scratch` is overwritten.
+  [[nodiscard]] int side_at_minus_infinity(const geometry::Ray<Number>& local,
+                                           const std::vector<Crossing>& crossings,
+                                           const poly::Solvers& solvers,
+                                           std::vector<Crossing>& scratch) const;
 
   /// A function that is zero on the surface's tangent plane at a crossing, and has normal() for its
   /// gradient: how far a point is from there, to first order.

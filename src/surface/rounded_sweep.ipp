@@ -15,6 +15,9 @@ Number rounded_down(const number::Rational& exact) {
   using std::abs;
   using Traits = number::number_traits<Number>;
   const Number nearest = Traits::from_exact(exact);
+  if (!(nearest - nearest == 0)) {  // beyond the range
+    return exact < 0 ? nearest : std::numeric_limits<Number>::max();
+  }
   if (Traits::to_exact(nearest) <= exact) {
     return nearest;
   }
@@ -269,15 +272,16 @@ geometry::Ray<Number> RoundedSweep<Number>::with_small_values(geometry::Ray<Numb
 }
 
 template <number::RoundedNumber Number>
-void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& as_given,
+bool RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& as_given,
                                           const poly::Solvers& solvers,
                                           std::vector<Crossing>& crossings) const {
   const geometry::Ray<Number> local = with_small_values(as_given);
   const auto& [o, d] = local;
   crossings.clear();
   if (sweep_ == Sweep::Translational && d.x == 0 && d.y == 0) {
-    return;
+    return true;
   }
+  bool runs_along = false;
   const Image e = image(local);
   const Number square = d.x * d.x + d.y * d.y;
   const Number across = d.x * o.y - d.y * o.x;
@@ -297,9 +301,7 @@ void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& as_given,
         add_crossings(local, i + 1 < pieces_.size() ? i + 1 : 0, Number(0), crossings);
       }
     });
-    if (!crosses) {
-      crossings.clear();
-    }
+    runs_along = !crosses;
     return crosses;
   };
   if (printed_.each_piece) {
@@ -314,8 +316,12 @@ void RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& as_given,
     tree_.visit_pieces([&e](const PlaneBox<Number>& box) { return e.over(box).exclude_zero(3); },
                        add_of_piece);
   }
+  if (runs_along) {
+    crossings.clear();
+  }
   std::sort(crossings.begin(), crossings.end(),
             [](const Crossing& x, const Crossing& y) { return x.t < y.t; });
+  return !runs_along;
 }
 
 template <number::RoundedNumber Number>
@@ -343,6 +349,9 @@ geometry::Vector3<Number> RoundedSweep<Number>::normal(const geometry::Vector3<N
     }
     case Sweep::Rotational: {
       const Number u = detail::cubic_at(piece.u, crossing.s);
+      if (!(u > 0)) {  // on the axis
+        return {Number(0), Number(0), n_v};
+      }
       return {n_u * local.x, n_u * local.y, n_v * u};
     }
   }
@@ -350,41 +359,59 @@ geometry::Vector3<Number> RoundedSweep<Number>::normal(const geometry::Vector3<N
 }
 
 template <number::RoundedNumber Number>
-bool RoundedSweep<Number>::starts_inside(const geometry::Ray<Number>& local,
-                                         const poly::Solvers& solvers,
-                                         std::vector<Crossing>& scratch) const {
-  const auto& [o, d] = local;
-  switch (sweep_) {
-    case Sweep::Translational:
-      return d.x == 0 && d.y == 0 && inside(o, solvers, scratch);
-    case Sweep::Conic:  // far away, the ray is where its direction points
-      return d.z != 0 && inside(d, solvers, scratch);
-    case Sweep::Rotational:
-      break;
+int RoundedSweep<Number>::side(const geometry::Vector3<Number>& local, const poly::Solvers& solvers,
+                               std::vector<Crossing>& scratch) const {
+  if (sweep_ == Sweep::Conic && local.z == 0) {
+    return local.x == 0 && local.y == 0 ? 0 : 1;
   }
-  return false;
+  // Two directions that span the contour's plane at the point; the first goes away from the axis.
+  using Vector = geometry::Vector3<Number>;
+  const bool is_turned = sweep_ == Sweep::Rotational;
+  const bool is_aside = is_turned && (local.x != 0 || local.y != 0);
+  const Vector across =
+      is_aside ? Vector{local.x, local.y, Number(0)} : Vector{Number(1), Number(0), Number(0)};
+  const Vector up =
+      is_turned ? Vector{Number(0), Number(0), Number(1)} : Vector{Number(0), Number(1), Number(0)};
+  // No more lines through the point than there are pieces can have one of these on them.
+  const auto most = static_cast<int>(pieces_.size());
+  bool found = find_crossings({local, across}, solvers, scratch);
+  for (int slope = 1; !found && slope <= most; ++slope) {
+    found = find_crossings({local, across + static_cast<Number>(slope) * up}, solvers, scratch);
+  }
+  int side = 1;
+  for (const Crossing& crossing : scratch) {
+    if (crossing.t == 0) {
+      return 0;
+    }
+    side = crossing.t > 0 ? -side : side;
+  }
+  return side;
 }
 
 template <number::RoundedNumber Number>
-bool RoundedSweep<Number>::inside(const geometry::Vector3<Number>& local,
-                                  const poly::Solvers& solvers,
-                                  std::vector<Crossing>& scratch) const {
-  geometry::Vector3<Number> direction{Number(1), Number(0), Number(0)};
-  if (sweep_ == Sweep::Conic && local.z == 0) {
-    return local.x == 0 && local.y == 0;
+int RoundedSweep<Number>::side_at_minus_infinity(const geometry::Ray<Number>& local,
+                                                 const std::vector<Crossing>& crossings,
+                                                 const poly::Solvers& solvers,
+                                                 std::vector<Crossing>& scratch) const {
+  using std::abs;
+  const auto& [o, d] = local;
+  if (sweep_ == Sweep::Translational && d.x == 0 && d.y == 0) {
+    return side(o, solvers, scratch);
   }
-  if (sweep_ == Sweep::Rotational && (local.x != 0 || local.y != 0)) {
-    direction = {local.x, local.y, Number(0)};  // away from the axis
+  if (sweep_ != Sweep::Conic || d.z == 0) {
+    return 1;
   }
-  find_crossings({local, direction}, solvers, scratch);
-  bool inside = false;
-  for (const Crossing& crossing : scratch) {
-    if (crossing.t == 0) {
-      return true;
-    }
-    inside = inside != (crossing.t > 0);
+  // Far away, the ray is where its direction points; or, beside a ruling that it is parallel to,
+  // where it is before all that happens to it.
+  if (const int far = side(d, solvers, scratch); far != 0) {
+    return far;
   }
-  return inside;
+  Number before = -o.z / d.z;
+  if (!crossings.empty() && crossings.front().t < before) {
+    before = crossings.front().t;
+  }
+  before = 2 * before < before ? Number(2 * before) : Number(0);
+  return side(o + Number(before - 1) * d, solvers, scratch);
 }
 
 template <number::RoundedNumber Number>

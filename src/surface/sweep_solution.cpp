@@ -49,9 +49,11 @@ template <number::RoundedNumber Number>
 void find(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
           const SweepMethod& method,
           std::vector<typename RoundedSweep<Number>::Crossing>& crossings) {
-  const bool starts_inside = method.caps == SweepMethod::Caps::HalfSpaces &&
-                             sweep.starts_inside(local, method.solvers, crossings);
   sweep.find_crossings(local, method.solvers, crossings);
+  std::vector<typename RoundedSweep<Number>::Crossing> scratch;
+  const bool starts_inside =
+      method.caps == SweepMethod::Caps::HalfSpaces &&
+      sweep.side_at_minus_infinity(local, crossings, method.solvers, scratch) < 0;
   if (method.lost && !crossings.empty()) {
     crossings.erase(crossings.begin() +
                     static_cast<std::ptrdiff_t>(*method.lost % crossings.size()));

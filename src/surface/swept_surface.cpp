@@ -536,6 +536,10 @@ SweptSurface::Foot foot_of(const SweptSurface& surface, const PlanePlace& place)
       }
     };
     consider(0);
+    const auto next = static_cast<std::uint32_t>((i + 1) % pieces.size());
+    if ((next == 0 && !surface.contour().closed()) || !surface.sweeps(next)) {
+      consider(1);  // at the axis
+    }
     const Polynomial in_u = place.u ? shifted(piece.u, -*place.u)
                                     : shifted(multiply(piece.u, piece.u), -place.u_squared);
     for (const Polynomial& p : {in_u, shifted(piece.v, -place.v)}) {
@@ -631,7 +635,7 @@ ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) co
     case Sweep::Rotational:
       break;
   }
-  return {n_u * x, n_u * y, n_v * u};
+  return u.is_zero() ? ExactPoint{0, 0, n_v} : ExactPoint{n_u * x, n_u * y, n_v * u};
 }
 
 SweptSurface::Foot SweptSurface::foot_near(const ExactPoint& local) const {

@@ -45,7 +45,7 @@ class SweptSurface {
   /// A point of the contour.
   struct Foot {
     std::uint32_t piece = 0;
-    number::Rational s;  ///< 0 <= s < 1, to 2^-320
+    number::Rational s;  ///< 0 <= s < 1, to 2^-320; or 1 at the axis
   };
 
   /// Throws base::InputError for a contour that the sweep cannot have: an open one, but for

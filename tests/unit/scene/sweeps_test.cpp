@@ -88,6 +88,24 @@ TEST(SweepNodeTest, ReadsExtrusionsOfOpenScad) {
   EXPECT_EQ(box.bounds->upper.y, Rational(3, 2));
 }
 
+TEST(SweepNodeTest, AnExtrusionOfNothingIsEmpty) {
+  const Scene scene = scene_of("linear_extrude(5) group();\nrotate_extrude() { group() {} }");
+  EXPECT_TRUE(scene.leaves.empty());
+  EXPECT_EQ(scene.warnings.size(), 2U);
+  EXPECT_EQ(scene_of("linear_extrude(5) { square(1); group(); }").leaves.size(), 3U);
+}
+
+TEST(SweepNodeTest, WhatIsLeftOfTheAxisStaysOpen) {
+  const Scene open = scene_of("rotate_extrude() contour([[0, 0], [-1, 1], [0, 2]], closed=false);");
+  EXPECT_FALSE(sweep_of(open, 0).contour().closed());
+  EXPECT_EQ(sweep_of(open, 0).contour().points()[1], (geometry::PlanePoint{1, 1}));
+}
+
+TEST(SweepNodeTest, NumbersBeyondTheDoublesAreReadAsAnyOthers) {
+  const Scene scene = scene_of("conic_spline_sweep() contour([[1e200, 0], [1e200, 1]]);");
+  EXPECT_GE(scene.bounds->upper.x, number::parse_rational("1e200"));
+}
+
 TEST(SweepNodeTest, ConicSplinesAndConeStacksAreOrdinaryTrees) {
   const Scene spline = scene_of("conic_spline_sweep() contour([[1, 0], [2, 1], [2, 2]]);");
   EXPECT_EQ(spline.leaves.size(), 12U);  // two conics an interval, and two planes each
