@@ -8,6 +8,7 @@
 #include "experiments/benchmarks/allocation_counter.hpp"
 #include "experiments/benchmarks/solver_benchmarks.hpp"
 #include "experiments/benchmarks/sweep_benchmarks.hpp"
+#include "geometry/rounding.hpp"
 #include "method/classify.hpp"
 #include "method/tracer.hpp"
 #include "number/all_numbers.hpp"
@@ -58,11 +59,9 @@ void exact_truth(benchmark::State& state, const char* text) {
 
 template <typename Number>
 std::vector<geometry::Ray<Number>> rounded_rays(const Setup& setup) {
-  using Traits = number::number_traits<Number>;
   std::vector<geometry::Ray<Number>> rays;
-  for (const auto& [o, d] : setup.rays) {
-    rays.push_back({{Traits::from_exact(o.x), Traits::from_exact(o.y), Traits::from_exact(o.z)},
-                    {Traits::from_exact(d.x), Traits::from_exact(d.y), Traits::from_exact(d.z)}});
+  for (const geometry::ExactRay& ray : setup.rays) {
+    rays.push_back(geometry::rounded<Number>(ray));
   }
   return rays;
 }

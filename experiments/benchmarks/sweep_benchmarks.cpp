@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/seeded_stream.hpp"
+#include "geometry/rounding.hpp"
 #include "scene/rays.hpp"
 #include "surface/rounded_sweep.hpp"
 
@@ -67,9 +68,8 @@ std::string star(int points) {
 Rays rays_at(const scene::Bounds& box) {
   base::SeededStream stream("benchmark/sweeps", 1, 0);
   Rays rays;
-  const auto rounded = [](const geometry::ExactPoint& p) { return geometry::nearest_double(p); };
   for (const geometry::ExactRay& ray : scene::uniform_rays(box, kRays, stream)) {
-    rays.push_back({rounded(ray.origin), rounded(ray.direction)});
+    rays.push_back(geometry::rounded<double>(ray));
   }
   return rays;
 }

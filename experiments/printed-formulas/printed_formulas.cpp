@@ -14,6 +14,7 @@
 
 #include "census/solver_census.hpp"
 #include "experiments/all_experiments.hpp"
+#include "experiments/cell_summary.hpp"
 #include "experiments/normal_angle.hpp"
 #include "experiments/printed-formulas/capped_sweep.hpp"
 #include "experiments/printed-formulas/printed_tests.hpp"
@@ -445,30 +446,12 @@ std::vector<Series> series(const Settings& settings) {
   return all;
 }
 
-// The tallies of a series, by number type and way in the order of the run.
-struct Summary {
-  std::vector<census::Label> labels;
-  std::vector<std::pair<std::pair<std::string, std::string>, Tally>> tallies;
-};
-
-Summary summary_of(const LabelledRecords& records) {
-  Summary summary{records.labels, {}};
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (const std::string& record : records.records) {
-    for (const auto& json : nlohmann::json::parse(record)) {
-      Tally tally;
-      json.at("counts").get_to(tally.counts);
-      json.at("errors").get_to(tally.errors);
-      const std::pair key{json.at("number").get<std::string>(), json.at("way").get<std::string>()};
-      const auto [place, is_new] = places.try_emplace(key, summary.tallies.size());
-      if (is_new) {
-        summary.tallies.emplace_back(key, Tally());
-      }
-      summary.tallies[place->second].second.merge(tally);
-    }
-  }
-  return summary;
+void from_json(const nlohmann::json& json, Tally& tally) {
+  json.at("counts").get_to(tally.counts);
+  json.at("errors").get_to(tally.errors);
 }
+
+using Summaries = std::vector<Summary<Tally>>;
 
 // A column and what it has of a tally.
 struct Measured {
@@ -503,27 +486,26 @@ Measured error(report::Column column, const std::string& name, double part) {
           }};
 }
 
-report::Table table_of(const Experiment& experiment, const std::vector<Summary>& summaries,
+report::Table table_of(const Experiment& experiment, const Summaries& summaries,
                        const std::string& name, const std::string& formula,
                        const std::string& title, const std::vector<Measured>& measured) {
-  report::Table table{name, experiment.name + ": " + title, experiment.labels, {}, {}};
-  table.columns.insert(table.columns.end(), {{"number", "number", ""}, {"way", "way", ""}});
+  std::vector<report::Column> columns;
   for (const Measured& m : measured) {
-    table.columns.push_back(m.column);
+    columns.push_back(m.column);
   }
-  for (const Summary& summary : summaries) {
+  report::Table table{name,
+                      experiment.name + ": " + title,
+                      cell_columns(experiment, {"way", "way", ""}, columns),
+                      {},
+                      {}};
+  for (const Summary<Tally>& summary : summaries) {
     if (std::get<std::string>(summary.labels.front()) != formula) {
       continue;
     }
-    for (const auto& [key, tally] : summary.tallies) {
-      std::vector<report::Value> row;
-      for (const census::Label& label : summary.labels) {
-        row.push_back(report::value_of(label));
-      }
-      row.push_back(key.first);
-      row.push_back(key.second);
+    for (std::size_t i = 0; i < summary.cells.size(); ++i) {
+      std::vector<report::Value> row = row_of(summary, i);
       for (const Measured& m : measured) {
-        row.push_back(m.value(tally));
+        row.push_back(m.value(summary.cells[i].second));
       }
       table.rows.push_back(std::move(row));
     }
@@ -533,10 +515,7 @@ report::Table table_of(const Experiment& experiment, const std::vector<Summary>&
 
 std::vector<report::Table> tables(const Experiment& experiment,
                                   const std::vector<LabelledRecords>& records) {
-  std::vector<Summary> summaries;
-  for (const LabelledRecords& of_series : records) {
-    summaries.push_back(summary_of(of_series));
-  }
+  const Summaries summaries = summaries_of<Tally>(records, "way");
   const report::Column rays{"rays", "rays", ""};
   const report::Column wrong_count{"wrong_count", "wrong count",
                                    "Rays with another number of crossings."};

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "experiments/near-tangent/grazing.hpp"
+#include "geometry/rounding.hpp"
 #include "number/all_numbers.hpp"
 #include "scene/families.hpp"
 #include "scene/rays.hpp"
@@ -39,21 +40,11 @@ std::optional<HeldPolynomial> rounded(const Coefficients& ideal) {
 }
 
 template <number::RoundedNumber Number>
-geometry::Ray<Number> rounded_ray(const geometry::ExactRay& ray) {
-  const auto point = [](const geometry::ExactPoint& p) {
-    using Traits = number::number_traits<Number>;
-    return geometry::Vector3<Number>{Traits::from_exact(p.x), Traits::from_exact(p.y),
-                                     Traits::from_exact(p.z)};
-  };
-  return {point(ray.origin), point(ray.direction)};
-}
-
-template <number::RoundedNumber Number>
 std::optional<HeldPolynomial> along_ray(const surface::LocalSurface& surface,
                                         const geometry::ExactRay& ray, bool recentred) {
   using Traits = number::number_traits<Number>;
-  const surface::RayPolynomial<Number> p =
-      surface::RoundedSurface<Number>(surface).polynomial(rounded_ray<Number>(ray), recentred);
+  const surface::RayPolynomial<Number> p = surface::RoundedSurface<Number>(surface).polynomial(
+      geometry::rounded<Number>(ray), recentred);
   HeldPolynomial held;
   for (int i = 0; i <= p.degree; ++i) {
     if (!(p.c[i] - p.c[i] == 0)) {
@@ -70,7 +61,7 @@ template <number::RoundedNumber Number>
 poly::Solution on_sphere(const geometry::ExactRay& ray, surface::SphereFormula formula) {
   using Traits = number::number_traits<Number>;
   const poly::RealRoots<Number> found =
-      surface::ray_sphere<Number>(rounded_ray<Number>(ray), Number(1), formula);
+      surface::ray_sphere<Number>(geometry::rounded<Number>(ray), Number(1), formula);
   poly::Solution solution;
   for (int i = 0; i < found.count; ++i) {
     solution.roots.push_back({Traits::to_exact(found.t[i]), found.multiplicity[i]});

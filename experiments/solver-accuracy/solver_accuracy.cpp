@@ -9,6 +9,7 @@
 
 #include "census/solver_census.hpp"
 #include "experiments/all_experiments.hpp"
+#include "experiments/cell_summary.hpp"
 #include "experiments/solver-accuracy/polynomials.hpp"
 
 namespace lamina::experiments {
@@ -264,67 +265,31 @@ std::vector<Series> series(const Settings& settings) {
   return all;
 }
 
-// The cells of each series, by number type and solver in the order of the run.
-struct Summary {
-  std::vector<census::Label> labels;
-  std::vector<std::pair<std::pair<std::string, std::string>, Cell>> cells;
-};
-
-Summary summary_of(const LabelledRecords& records) {
-  Summary summary{records.labels, {}};
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (const std::string& record : records.records) {
-    for (const auto& json : nlohmann::json::parse(record)) {
-      Cell cell;
-      json.at("held").get_to(cell.held);
-      json.at("ideal").get_to(cell.ideal);
-      json.at("backward").get_to(cell.backward);
-      json.at("condition").get_to(cell.condition);
-      json.at("not_held").get_to(cell.not_held);
-      json.at("seconds").get_to(cell.seconds);
-      for (const auto& s : json.at("samples")) {
-        const auto number = [&s](std::size_t i) {
-          return s[i].is_null() ? std::numeric_limits<double>::infinity() : s[i].get<double>();
-        };
-        cell.samples.push_back({number(0), number(1), number(2)});
-      }
-      const std::pair key{json.at("number").get<std::string>(),
-                          json.at("solver").get<std::string>()};
-      const auto [place, is_new] = places.try_emplace(key, summary.cells.size());
-      if (is_new) {
-        summary.cells.emplace_back(key, Cell());
-      }
-      summary.cells[place->second].second.merge(cell);
-    }
+void from_json(const nlohmann::json& json, Cell& cell) {
+  json.at("held").get_to(cell.held);
+  json.at("ideal").get_to(cell.ideal);
+  json.at("backward").get_to(cell.backward);
+  json.at("condition").get_to(cell.condition);
+  json.at("not_held").get_to(cell.not_held);
+  json.at("seconds").get_to(cell.seconds);
+  for (const auto& s : json.at("samples")) {
+    const auto number = [&s](std::size_t i) {
+      return s[i].is_null() ? std::numeric_limits<double>::infinity() : s[i].get<double>();
+    };
+    cell.samples.push_back({number(0), number(1), number(2)});
   }
-  return summary;
 }
 
-std::vector<report::Column> with_cell_columns(const Experiment& experiment,
-                                              std::vector<report::Column> more) {
-  std::vector<report::Column> columns = experiment.labels;
-  columns.insert(columns.end(), {{"number", "number", ""}, {"solver", "solver", ""}});
-  columns.insert(columns.end(), more.begin(), more.end());
-  return columns;
-}
+using Summaries = std::vector<Summary<Cell>>;
 
-std::vector<report::Value> row_of(const Summary& summary, std::size_t cell) {
-  std::vector<report::Value> row;
-  for (const census::Label& label : summary.labels) {
-    row.push_back(report::value_of(label));
-  }
-  row.push_back(summary.cells[cell].first.first);
-  row.push_back(summary.cells[cell].first.second);
-  return row;
-}
+const report::Column kSolver{"solver", "solver", ""};
 
-report::Table accuracy_table(const Experiment& experiment, const std::vector<Summary>& summaries,
-                             bool ideal) {
+report::Table accuracy_table(const Experiment& experiment, const Summaries& summaries, bool ideal) {
   report::Table table{
       ideal ? "ideal" : "accuracy",
       experiment.name + (ideal ? ": against the ideal polynomial" : ""),
-      with_cell_columns(
-          experiment,
+      cell_columns(
+          experiment, kSolver,
           {{"polynomials", "polynomials", ""},
            {"wrong_count", "wrong count",
             "Polynomials with another number of roots, each as often "
@@ -357,7 +322,7 @@ report::Table accuracy_table(const Experiment& experiment, const std::vector<Sum
          {"not_held", "not held", "Polynomials beyond the range of the number type."}});
     table.notes = {"Against the exact roots of the coefficients as the number type holds them."};
   }
-  for (const Summary& summary : summaries) {
+  for (const Summary<Cell>& summary : summaries) {
     for (std::size_t i = 0; i < summary.cells.size(); ++i) {
       const Cell& cell = summary.cells[i].second;
       const RootCounts& counts = ideal ? cell.ideal : cell.held;
@@ -382,53 +347,36 @@ report::Table accuracy_table(const Experiment& experiment, const std::vector<Sum
   return table;
 }
 
-report::Table times_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
+report::Table times_table(const Experiment& experiment, const Summaries& summaries) {
   report::Table table{
       "times",
       experiment.name + ": time",
-      with_cell_columns(
-          experiment, {{"ns", "ns a polynomial", "By the clock, one pass, one thread."},
-                       {"relative", "relative", "To the fastest that fits, of this number type."}}),
+      cell_columns(experiment, kSolver,
+                   {{"ns", "ns a polynomial", "By the clock, one pass, one thread."},
+                    {"relative", "relative", "To the fastest that fits, of this number type."}}),
       {},
       {}};
   table.on_request = true;
-  for (const Summary& summary : summaries) {
-    std::map<std::string, double> fastest;
-    const auto ns = [](const Cell& cell) {
-      return 1e9 * cell.seconds / static_cast<double>(cell.held.polynomials);
-    };
-    for (const auto& [key, cell] : summary.cells) {
-      if (cell.held.polynomials == 0) {
-        continue;
-      }
-      const auto [place, is_new] = fastest.try_emplace(key.first, ns(cell));
-      place->second = std::min(place->second, ns(cell));
-    }
-    for (std::size_t i = 0; i < summary.cells.size(); ++i) {
-      const auto& [key, cell] = summary.cells[i];
-      if (cell.held.polynomials == 0) {
-        continue;
-      }
-      std::vector<report::Value> row = row_of(summary, i);
-      row.insert(row.end(), {ns(cell), ns(cell) / fastest[key.first]});
-      table.rows.push_back(std::move(row));
-    }
-  }
+  add_times(table, summaries, [](const Cell& cell) {
+    return cell.held.polynomials == 0
+               ? std::nullopt
+               : std::optional(cell.seconds / static_cast<double>(cell.held.polynomials));
+  });
   return table;
 }
 
-report::Table samples_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
-  report::Table table{
-      "samples",
-      experiment.name + ": single roots in double",
-      with_cell_columns(experiment, {{"condition", "condition", "sum |c_i t^i| / |t p'(t)|"},
-                                     {"separation", "separation",
-                                      "From the next exact root, relative to the root; 1 at most."},
-                                     {"ulps", "ulps", "Error."}}),
-      {},
-      {"The simple roots of the first 100 polynomials of each family."}};
+report::Table samples_table(const Experiment& experiment, const Summaries& summaries) {
+  report::Table table{"samples",
+                      experiment.name + ": single roots in double",
+                      cell_columns(experiment, kSolver,
+                                   {{"condition", "condition", "sum |c_i t^i| / |t p'(t)|"},
+                                    {"separation", "separation",
+                                     "From the next exact root, relative to the root; 1 at most."},
+                                    {"ulps", "ulps", "Error."}}),
+                      {},
+                      {"The simple roots of the first 100 polynomials of each family."}};
   table.on_request = true;
-  for (const Summary& summary : summaries) {
+  for (const Summary<Cell>& summary : summaries) {
     for (std::size_t i = 0; i < summary.cells.size(); ++i) {
       for (const Sample& sample : summary.cells[i].second.samples) {
         std::vector<report::Value> row = row_of(summary, i);
@@ -442,10 +390,7 @@ report::Table samples_table(const Experiment& experiment, const std::vector<Summ
 
 std::vector<report::Table> tables(const Experiment& experiment,
                                   const std::vector<LabelledRecords>& records) {
-  std::vector<Summary> summaries;
-  for (const LabelledRecords& of_series : records) {
-    summaries.push_back(summary_of(of_series));
-  }
+  const Summaries summaries = summaries_of<Cell>(records, "solver");
   return {accuracy_table(experiment, summaries, false), accuracy_table(experiment, summaries, true),
           times_table(experiment, summaries), samples_table(experiment, summaries)};
 }

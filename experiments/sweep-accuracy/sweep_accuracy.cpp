@@ -11,6 +11,7 @@
 
 #include "census/solver_census.hpp"
 #include "experiments/all_experiments.hpp"
+#include "experiments/cell_summary.hpp"
 #include "experiments/normal_angle.hpp"
 #include "experiments/random_sweep.hpp"
 
@@ -264,66 +265,30 @@ std::vector<Series> series(const Settings& settings) {
   return all;
 }
 
-// The cells of each series, by number type and way in the order of the run.
-struct Summary {
-  std::vector<census::Label> labels;
-  std::vector<std::pair<std::pair<std::string, std::string>, Cell>> cells;
-};
-
-Summary summary_of(const LabelledRecords& records) {
-  Summary summary{records.labels, {}};
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (const std::string& record : records.records) {
-    for (const auto& json : nlohmann::json::parse(record)) {
-      Cell cell;
-      json.at("t").get_to(cell.t);
-      json.at("s").get_to(cell.s);
-      json.at("angle").get_to(cell.angle);
-      json.at("other_piece").get_to(cell.other_piece);
-      json.at("seconds").get_to(cell.seconds);
-      const std::pair key{json.at("number").get<std::string>(),
-                          json.at("solver").get<std::string>()};
-      const auto [place, is_new] = places.try_emplace(key, summary.cells.size());
-      if (is_new) {
-        summary.cells.emplace_back(key, Cell());
-      }
-      summary.cells[place->second].second.merge(cell);
-    }
-  }
-  return summary;
+void from_json(const nlohmann::json& json, Cell& cell) {
+  json.at("t").get_to(cell.t);
+  json.at("s").get_to(cell.s);
+  json.at("angle").get_to(cell.angle);
+  json.at("other_piece").get_to(cell.other_piece);
+  json.at("seconds").get_to(cell.seconds);
 }
 
-std::vector<report::Column> with_cell_columns(const Experiment& experiment,
-                                              std::vector<report::Column> more) {
-  std::vector<report::Column> columns = experiment.labels;
-  columns.insert(columns.end(), {{"number", "number", ""},
-                                 {"solver", "solver",
-                                  "Or another search for the contour's parameter. Polygons have "
-                                  "equations of degree 1 or 2."}});
-  columns.insert(columns.end(), more.begin(), more.end());
-  return columns;
-}
+using Summaries = std::vector<Summary<Cell>>;
 
-std::vector<report::Value> row_of(const Summary& summary, std::size_t cell) {
-  std::vector<report::Value> row;
-  for (const census::Label& label : summary.labels) {
-    row.push_back(report::value_of(label));
-  }
-  row.push_back(summary.cells[cell].first.first);
-  row.push_back(summary.cells[cell].first.second);
-  return row;
-}
+const report::Column kSolver{"solver", "solver",
+                             "Or another search for the contour's parameter. Polygons have "
+                             "equations of degree 1 or 2."};
 
 double largest_of(const ErrorCounts& errors) {
   return errors.size() == 0 ? std::numeric_limits<double>::quiet_NaN() : errors.largest();
 }
 
-report::Table accuracy_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
+report::Table accuracy_table(const Experiment& experiment, const Summaries& summaries) {
   report::Table table{
       "accuracy",
       experiment.name,
-      with_cell_columns(
-          experiment,
+      cell_columns(
+          experiment, kSolver,
           {{"rays", "rays", "Those that run along the surface are left out."},
            {"wrong_count", "wrong count", "Rays with another number of crossings."},
            {"wrong_parity", "wrong parity", "Odd in place of even, or the other way round."},
@@ -341,7 +306,7 @@ report::Table accuracy_table(const Experiment& experiment, const std::vector<Sum
       {},
       {"Against the exact crossings. Rays and contours are numbers of 24 bits, those of grazing "
        "rays at 1e-10 of 53: every number type has the same."}};
-  for (const Summary& summary : summaries) {
+  for (const Summary<Cell>& summary : summaries) {
     for (std::size_t i = 0; i < summary.cells.size(); ++i) {
       const Cell& cell = summary.cells[i].second;
       const RootCounts& t = cell.t;
@@ -357,47 +322,27 @@ report::Table accuracy_table(const Experiment& experiment, const std::vector<Sum
   return table;
 }
 
-report::Table times_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
+report::Table times_table(const Experiment& experiment, const Summaries& summaries) {
   report::Table table{
       "times",
       experiment.name + ": time",
-      with_cell_columns(experiment,
-                        {{"ns", "ns a ray", "By the clock, one pass, one thread."},
-                         {"relative", "relative", "To the fastest of this number type."}}),
+      cell_columns(experiment, kSolver,
+                   {{"ns", "ns a ray", "By the clock, one pass, one thread."},
+                    {"relative", "relative", "To the fastest of this number type."}}),
       {},
       {}};
   table.on_request = true;
-  for (const Summary& summary : summaries) {
-    const auto ns = [](const Cell& cell) {
-      return 1e9 * cell.seconds / static_cast<double>(cell.t.polynomials);
-    };
-    std::map<std::string, double> fastest;
-    for (const auto& [key, cell] : summary.cells) {
-      if (cell.seconds == 0) {
-        continue;
-      }
-      const auto [place, is_new] = fastest.try_emplace(key.first, ns(cell));
-      place->second = std::min(place->second, ns(cell));
-    }
-    for (std::size_t i = 0; i < summary.cells.size(); ++i) {
-      const auto& [key, cell] = summary.cells[i];
-      if (cell.seconds == 0) {
-        continue;
-      }
-      std::vector<report::Value> row = row_of(summary, i);
-      row.insert(row.end(), {ns(cell), ns(cell) / fastest[key.first]});
-      table.rows.push_back(std::move(row));
-    }
-  }
+  add_times(table, summaries, [](const Cell& cell) {
+    return cell.seconds == 0
+               ? std::nullopt
+               : std::optional(cell.seconds / static_cast<double>(cell.t.polynomials));
+  });
   return table;
 }
 
 std::vector<report::Table> tables(const Experiment& experiment,
                                   const std::vector<LabelledRecords>& records) {
-  std::vector<Summary> summaries;
-  for (const LabelledRecords& of_series : records) {
-    summaries.push_back(summary_of(of_series));
-  }
+  const Summaries summaries = summaries_of<Cell>(records, "solver");
   return {accuracy_table(experiment, summaries), times_table(experiment, summaries)};
 }
 

@@ -15,6 +15,7 @@
 #include "experiments/all_experiments.hpp"
 #include "experiments/sweep-race/ideal_curves.hpp"
 #include "experiments/sweep-race/profile_search.hpp"
+#include "geometry/rounding.hpp"
 #include "method/classify.hpp"
 #include "scene/rays.hpp"
 
@@ -260,8 +261,8 @@ std::vector<geometry::ExactRay> rays_of(const IdealCurve& curve, std::size_t cou
 
 Rays rounded(const std::vector<geometry::ExactRay>& exact) {
   Rays rays;
-  for (const auto& [o, d] : exact) {
-    rays.push_back({method::rounded<double>(o), method::rounded<double>(d)});
+  for (const geometry::ExactRay& ray : exact) {
+    rays.push_back(geometry::rounded<double>(ray));
   }
   return rays;
 }

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/rounding.hpp"
 #include "poly/solver.hpp"
 #include "scene/rounding.hpp"
 #include "surface/carrier.hpp"
@@ -14,13 +15,6 @@
 #include "surface/rounded_sweep.hpp"
 
 namespace lamina::method {
-
-/// Each coordinate rounded once.
-template <number::RoundedNumber Number>
-geometry::Vector3<Number> rounded(const geometry::ExactPoint& point) {
-  using Traits = number::number_traits<Number>;
-  return {Traits::from_exact(point.x), Traits::from_exact(point.y), Traits::from_exact(point.z)};
-}
 
 /// One crossing of the ray with one leaf.
 template <number::RealNumber Number>

@@ -34,7 +34,7 @@ RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& sol
 
 template <number::RealNumber Number>
 void RayEvents<Number>::find(const geometry::ExactRay& ray) {
-  find(geometry::Ray<Number>{rounded<Number>(ray.origin), rounded<Number>(ray.direction)});
+  find(geometry::rounded<Number>(ray));
 }
 
 template <number::RealNumber Number>

@@ -72,7 +72,7 @@ class TracerOf final : public Tracer {
     if constexpr (number::ExactNumber<Number>) {
       return locate_exact(scene_, point).medium;
     } else {
-      const geometry::Vector3<Number> world = rounded<Number>(point);
+      const geometry::Vector3<Number> world = geometry::rounded<Number>(point);
       return csg::evaluate(scene_.tree, [&](csg::LeafIndex leaf) {
         return events_.inside(leaf, world) ? scene_.tree.medium_of(leaf) : csg::kEmpty;
       });

@@ -6,12 +6,9 @@
 #include "surface/rounded_surface.ipp"
 #include "surface/rounded_sweep.ipp"
 
-#define LAMINA_INSTANTIATE_ROUNDED(Number)                                                  \
-  template class RoundedMap<Number>;                                                        \
-  template class RoundedSurface<Number>;                                                    \
-  template class RoundedSweep<Number>;                                                      \
-  template void parity_crossings(const RoundedSweep<Number>&, const geometry::Ray<Number>&, \
-                                 const poly::Solvers&,                                      \
-                                 std::vector<RoundedSweep<Number>::Crossing>&);             \
-  template void trim_by_parity(const RoundedSweep<Number>&, const geometry::Ray<Number>&,   \
+#define LAMINA_INSTANTIATE_ROUNDED(Number)                                                \
+  template class RoundedMap<Number>;                                                      \
+  template class RoundedSurface<Number>;                                                  \
+  template class RoundedSweep<Number>;                                                    \
+  template void trim_by_parity(const RoundedSweep<Number>&, const geometry::Ray<Number>&, \
                                std::vector<RoundedSweep<Number>::Crossing>&);

@@ -12,10 +12,10 @@ namespace lamina::surface {
 inline constexpr std::uint32_t kBasePlane = UINT32_MAX - 1;
 inline constexpr std::uint32_t kCapPlane = UINT32_MAX;
 
-/// Returns in `crossings`, ascending in t over the whole line, where a ray in local coordinates
-/// enters or leaves the solid: a translational sweep's between z = 0 and z = 1, a conic sweep's
-/// from its apex at z = 0 to z = 1, all of a rotational sweep. By the array of van Wijk 1984: of
-/// the crossings with the swept surface alone,
+/// Takes the crossings of a ray in local coordinates with the swept surface, ascending in t over
+/// the whole line, to those with the solid: a translational sweep's between z = 0 and z = 1, a
+/// conic sweep's from its apex at z = 0 to z = 1, all of a rotational sweep. By the array of van
+/// Wijk 1984:
 /// - translational (section 3): those past the nearer plane are kept; the farther plane is crossed
 ///   if an odd number of them is beyond it, which is cut off; then the nearer, if that leaves an
 ///   odd number;
@@ -27,13 +27,7 @@ inline constexpr std::uint32_t kCapPlane = UINT32_MAX;
 /// farther. For a ray with d_z = 0 all or none are kept, by o_z, unless there is a small value to
 /// take for d_z; one along z that is in a translational sweep has crossings only with small values.
 ///
-/// Error:  that of RoundedSweep's t; one crossing lost or found twice flips a cap.
-template <number::RoundedNumber Number>
-void parity_crossings(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
-                      const poly::Solvers& solvers,
-                      std::vector<typename RoundedSweep<Number>::Crossing>& crossings);
-
-/// The same from the swept surface's crossings, however they were found, in place.
+/// Error:  one crossing lost or found twice flips a cap.
 template <number::RoundedNumber Number>
 void trim_by_parity(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
                     std::vector<typename RoundedSweep<Number>::Crossing>& crossings);

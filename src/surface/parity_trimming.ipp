@@ -8,14 +8,6 @@
 namespace lamina::surface {
 
 template <number::RoundedNumber Number>
-void parity_crossings(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
-                      const poly::Solvers& solvers,
-                      std::vector<typename RoundedSweep<Number>::Crossing>& crossings) {
-  sweep.find_crossings(local, solvers, crossings);
-  trim_by_parity(sweep, local, crossings);
-}
-
-template <number::RoundedNumber Number>
 void trim_by_parity(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
                     std::vector<typename RoundedSweep<Number>::Crossing>& crossings) {
   using Crossing = typename RoundedSweep<Number>::Crossing;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/contract.hpp"
 #include "number/fused.hpp"
 #include "poly/quadratic.hpp"
 #include "surface/rounded_surface.hpp"
@@ -49,6 +50,7 @@ geometry::Vector3<Number> RoundedMap<Number>::gradient_to_world(
 
 template <RoundedNumber Number>
 RoundedSurface<Number>::RoundedSurface(const LocalSurface& exact) : kind_(exact.kind) {
+  LAMINA_REQUIRE(kind_ != Kind::Sweep, "a sweep is a RoundedSweep");
   for (std::size_t i = 0; i < c_.size(); ++i) {
     c_[i] = number::number_traits<Number>::from_exact(exact.coefficients[i]);
   }

@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "geometry/rounding.hpp"
 #include "number/all_numbers.hpp"
 
 namespace lamina::surface {
 namespace {
-
-template <number::RoundedNumber Number>
-geometry::Ray<Number> rounded(const geometry::ExactRay& ray) {
-  const auto point = [](const geometry::ExactPoint& p) {
-    const auto nearest = number::number_traits<Number>::from_exact;
-    return geometry::Vector3<Number>{nearest(p.x), nearest(p.y), nearest(p.z)};
-  };
-  return {point(ray.origin), point(ray.direction)};
-}
 
 // The crossings of the solid that a swept surface bounds with planes z = 0 and z = 1, from its own.
 template <number::RoundedNumber Number>
@@ -77,7 +69,7 @@ std::vector<FoundCrossing> cross_sweep(const SweptSurface& surface, const geomet
                                        const SweepMethod& method) {
   using Traits = number::number_traits<Number>;
   const RoundedSweep<Number> sweep(surface, method.printed);
-  const geometry::Ray<Number> ray = rounded<Number>(local);
+  const geometry::Ray<Number> ray = geometry::rounded<Number>(local);
   std::vector<typename RoundedSweep<Number>::Crossing> crossings;
   find(sweep, ray, method, crossings);
   std::vector<FoundCrossing> found;
@@ -100,7 +92,7 @@ double seconds_to_cross(const std::vector<SweptSurface>& surfaces,
   std::vector<geometry::Ray<Number>> rays;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     sweeps.emplace_back(surfaces[i], method.printed);
-    rays.push_back(rounded<Number>(local[i]));
+    rays.push_back(geometry::rounded<Number>(local[i]));
   }
   std::vector<typename RoundedSweep<Number>::Crossing> crossings;
   const auto start = std::chrono::steady_clock::now();

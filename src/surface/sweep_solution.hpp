@@ -13,7 +13,7 @@ namespace lamina::surface {
 struct SweepMethod {
   enum class Caps : std::uint8_t {
     None,        ///< the swept surface alone
-    Parity,      ///< the solid, as parity_crossings counts it
+    Parity,      ///< the solid, as trim_by_parity counts it
     HalfSpaces,  ///< the same solid: where the surface's half-space and those of z >= 0 and z <= 1
                  ///< have a point in common, each of them entered and left at its own crossings
   };

@@ -21,7 +21,7 @@ class RayPathOf final : public RayPath {
       : events_(scene, solvers), scene_(scene), state_(scene.tree), levels_(1) {
     if (scene.bounds) {
       for (const geometry::ExactPoint* corner : {&scene.bounds->lower, &scene.bounds->upper}) {
-        scene_size_ = largest_coordinate(scene_size_, method::rounded<Number>(*corner));
+        scene_size_ = largest_coordinate(scene_size_, geometry::rounded<Number>(*corner));
       }
     }
   }
@@ -30,8 +30,7 @@ class RayPathOf final : public RayPath {
     depth_ = 0;
     present().inherited.clear();
     present().validated = false;
-    follow({method::rounded<Number>(primary.origin), method::rounded<Number>(primary.direction)},
-           {});
+    follow(geometry::rounded<Number>(primary), {});
   }
 
   void run(const method::Method& method, method::Report& report, Extent extent) override {
@@ -178,7 +177,7 @@ class RayPathOf final : public RayPath {
       case Branch::Reflection:
         return d - Number(2 * dot(d, gradient) / dot(gradient, gradient)) * gradient;
       case Branch::Shadow: {
-        const Vector towards = method::rounded<Number>(spawn.light) - present().point;
+        const Vector towards = geometry::rounded<Number>(spawn.light) - present().point;
         // A light behind the surface does not shine on it.
         const bool behind = (dot(towards, gradient) < 0) == (dot(d, gradient) < 0);
         return behind ? std::nullopt : std::optional(towards);

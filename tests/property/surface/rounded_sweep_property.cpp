@@ -1,5 +1,6 @@
 // Swept contours in rounded numbers: what a rectangle rules out, and, where rounding is far below
 // anything that a random ray could need, the same crossings as exactly, with right normals.
+#include "geometry/rounding.hpp"
 #include "surface/rounded_sweep.hpp"
 
 #include <algorithm>
@@ -29,12 +30,6 @@ using surface::Sweep;
 using surface::SweptSurface;
 
 constexpr std::uint64_t kSeed = 1;
-
-template <typename Number>
-Vector3<Number> nearest(const ExactPoint& p) {
-  using Traits = number::number_traits<Number>;
-  return {Traits::from_exact(p.x), Traits::from_exact(p.y), Traits::from_exact(p.z)};
-}
 
 template <typename Number>
 ExactPoint exactly(const Vector3<Number>& p) {
@@ -224,7 +219,8 @@ TEST_CASE("Crossings and normals of swept contours in 237 bits", "[swept]") {
           if (r == 0) {
             ray.direction.z = 0;  // a level ray of a rotational sweep has an equation of its own
           }
-          const Ray<Wide> local{nearest<Wide>(ray.origin), nearest<Wide>(ray.direction)};
+          const Ray<Wide> local{geometry::rounded<Wide>(ray.origin),
+                                geometry::rounded<Wide>(ray.direction)};
           const auto truth = surface->crossings(ray);
           REQUIRE_FALSE(truth.in_boundary);
           std::vector<RoundedSweep<Wide>::Crossing> found;

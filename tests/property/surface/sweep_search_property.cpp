@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/rounding.hpp"
 #include "number/traits.hpp"
 #include "poly/solver.hpp"
 #include "support/class_tally.hpp"
@@ -36,17 +37,6 @@ using surface::SweptSurface;
 constexpr std::uint64_t kSeed = 1;
 constexpr std::array kSearches{SweepSearch::Polynomial, SweepSearch::Subdivision,
                                SweepSearch::StripTree};
-
-template <typename Number>
-Vector3<Number> nearest(const ExactPoint& p) {
-  using Traits = number::number_traits<Number>;
-  return {Traits::from_exact(p.x), Traits::from_exact(p.y), Traits::from_exact(p.z)};
-}
-
-template <typename Number>
-Ray<Number> nearest(const ExactRay& ray) {
-  return {nearest<Number>(ray.origin), nearest<Number>(ray.direction)};
-}
 
 ExactPoint any_point(SeededStream& stream, double size) {
   return {support::any_dyadic(stream, -size, size), support::any_dyadic(stream, -size, size),
@@ -135,7 +125,7 @@ void check_tree(const SweptSurface& exact, SeededStream& stream, int rays,
   std::vector<typename RoundedSweep<Number>::Crossing> found;
   std::vector<typename RoundedSweep<Number>::Crossing> expected;
   for (int r = 0; r < rays; ++r) {
-    const Ray<Number> ray = nearest<Number>(any_ray(stream, exact, tally));
+    const Ray<Number> ray = geometry::rounded<Number>(any_ray(stream, exact, tally));
     const poly::Solvers solvers{.search = kSearches.at(stream.below(3))};
     by_tree.find_crossings(ray, solvers, found);
     one_by_one.find_crossings(ray, solvers, expected);
@@ -235,7 +225,7 @@ TEMPLATE_TEST_CASE("Halving a contour finds an even number of crossings", "[swep
         const RoundedSweep<TestType> rounded(*surface);
         std::vector<typename RoundedSweep<TestType>::Crossing> found;
         for (int r = 0; r < kRays; ++r) {
-          const Ray<TestType> ray = nearest<TestType>(any_ray(stream, *surface, tally));
+          const Ray<TestType> ray = geometry::rounded<TestType>(any_ray(stream, *surface, tally));
           for (const SweepSearch search : {SweepSearch::Subdivision, SweepSearch::StripTree}) {
             rounded.find_crossings(ray, {.search = search}, found);
             INFO("sweep " << static_cast<int>(sweep) << ", kind " << static_cast<int>(kind)
@@ -305,7 +295,7 @@ void check_searches(int bits, std::uint64_t contours, int rays, std::uint64_t le
               continue;
             }
             std::vector<typename RoundedSweep<Number>::Crossing> found;
-            rounded.find_crossings(nearest<Number>(ray), {.search = search}, found);
+            rounded.find_crossings(geometry::rounded<Number>(ray), {.search = search}, found);
             INFO("sweep " << static_cast<int>(sweep) << ", kind " << static_cast<int>(kind)
                           << ", contour " << c << ", ray " << r << ", " << poly::name_of(search));
             REQUIRE(found.size() == truth.crossings.size());
@@ -440,7 +430,8 @@ TEST_CASE("Counting crossings decides caps as clipping does", "[swept]") {
           }
           const auto truth = clipped(*surface, ray, 60);
           std::vector<RoundedSweep<double>::Crossing> found;
-          surface::parity_crossings(rounded, nearest<double>(ray), {.search = search}, found);
+          rounded.find_crossings(geometry::rounded<double>(ray), {.search = search}, found);
+          surface::trim_by_parity(rounded, geometry::rounded<double>(ray), found);
           INFO("sweep " << static_cast<int>(sweep) << ", kind " << static_cast<int>(kind)
                         << ", contour " << c << ", ray " << r);
           REQUIRE(found.size() == truth.size());
@@ -498,7 +489,8 @@ TEST_CASE("A small value does for the rays that van Wijk gives no equation", "[s
       const Ray<double> up{{stream.uniform(-2, 2), stream.uniform(-2, 2), -3}, {0, 0, 1}};
       const bool is_in = prism->side({Rational(up.origin.x), Rational(up.origin.y), 0}) < 0;
       tally.add(is_in ? "in" : "out");
-      surface::parity_crossings(upright, up, {}, found);
+      upright.find_crossings(up, {}, found);
+      surface::trim_by_parity(upright, up, found);
       REQUIRE(found.size() == (is_in ? 2 : 0));
       if (is_in) {
         CHECK(found[0].t == 3);
