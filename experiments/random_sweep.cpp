@@ -22,6 +22,7 @@ using geometry::value_at;
 using geometry::Vector3;
 using number::nearest_double;
 using number::Rational;
+using surface::Scaling;
 using surface::Sweep;
 using surface::SweptSurface;
 
@@ -99,6 +100,11 @@ Vector3<double> any_aim(SeededStream& stream, const SweptSurface& surface) {
   }
   const double u = stream.uniform(nearest_double(all.u_min), nearest_double(all.u_max));
   const double z = stream.uniform(-kHeight, kHeight);
+  if (surface.sweep() == Sweep::GeneralisedConic) {
+    const auto& [p, q] = surface.scaling();
+    return {u * nearest_double(value_at(p, Rational(z))),
+            v * nearest_double(value_at(q, Rational(z))), z};
+  }
   return surface.sweep() == Sweep::Conic ? Vector3<double>{u * z, v * z, z}
                                          : Vector3<double>{u, v, z};
 }
@@ -137,6 +143,16 @@ ExactRay grazing(SeededStream& stream, const SweptSurface& surface, const RayFam
       point = {u * z, v * z, z};
       along_contour = {du, dv, 0};
       along_sweep = {u, v, 1};
+      break;
+    }
+    case Sweep::GeneralisedConic: {
+      const auto& [of_x, of_y] = surface.scaling();
+      const double z = stream.uniform(-kHeight, kHeight);
+      const double p = nearest_double(value_at(of_x, Rational(z)));
+      const double q = nearest_double(value_at(of_y, Rational(z)));
+      point = {u * p, v * q, z};
+      along_contour = {du * p, dv * q, 0};
+      along_sweep = {u * slope_at(of_x, z), v * slope_at(of_y, z), 1};
       break;
     }
     case Sweep::Rotational: {
@@ -186,6 +202,11 @@ ExactRay through_joint(SeededStream& stream, const SweptSurface& surface) {
       joint.y *= joint.z;
       break;
     }
+    case Sweep::GeneralisedConic:
+      joint.z = stream.chance(0.5) ? 1 : -1;
+      joint.x *= value_at(surface.scaling().x, joint.z);
+      joint.y *= value_at(surface.scaling().y, joint.z);
+      break;
     case Sweep::Rotational: {
       const Rational radius = stream.chance(0.5) ? u : -u;
       joint = stream.chance(0.5) ? ExactPoint{radius, 0, v} : ExactPoint{0, radius, v};
@@ -198,6 +219,14 @@ ExactRay through_joint(SeededStream& stream, const SweptSurface& surface) {
   };
   const ExactPoint direction{component(), component(), component()};
   return {joint - Rational(static_cast<int>(kAway)) * direction, direction};
+}
+
+// A line and a parabola, of coefficients of four bits.
+Scaling any_scaling(SeededStream& stream) {
+  const auto any = [&stream] {
+    return Rational((stream.chance(0.5) ? 1 : -1) * stream.integer(1, 8), 8);
+  };
+  return {{any(), any()}, {any(), any(), any()}};
 }
 
 }  // namespace
@@ -215,7 +244,10 @@ SweptSurface any_sweep(SeededStream& stream, Sweep sweep, ContourKind kind) {
                             on_grid(stream.uniform(-1, 1))};
     std::vector<PlanePoint> points = closed ? any_star(stream, centre) : any_profile(stream);
     try {
-      return {sweep, std::make_shared<const geometry::Contour>(std::move(points), kind, closed)};
+      auto contour = std::make_shared<const geometry::Contour>(std::move(points), kind, closed);
+      return sweep == Sweep::GeneralisedConic
+                 ? SweptSurface(any_scaling(stream), std::move(contour))
+                 : SweptSurface(sweep, std::move(contour));
     } catch (const base::InputError&) {
       LAMINA_REQUIRE(kind != ContourKind::Line, "a star and a profile do not cross themselves");
     }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "experiments/near-tangent/grazing.hpp"
+#include "experiments/random_sweep.hpp"
 #include "geometry/rounding.hpp"
 #include "number/all_numbers.hpp"
 #include "scene/families.hpp"
@@ -15,6 +16,7 @@
 #include "surface/certified_surface.hpp"
 #include "surface/ray_sphere.hpp"
 #include "surface/rounded_surface.hpp"
+#include "surface/rounded_sweep.hpp"
 
 namespace lamina::experiments {
 namespace {
@@ -39,21 +41,36 @@ std::optional<HeldPolynomial> rounded(const Coefficients& ideal) {
   return held;
 }
 
-template <number::RoundedNumber Number>
-std::optional<HeldPolynomial> along_ray(const surface::LocalSurface& surface,
-                                        const geometry::ExactRay& ray, bool recentred) {
-  using Traits = number::number_traits<Number>;
-  const surface::RayPolynomial<Number> p = surface::RoundedSurface<Number>(surface).polynomial(
-      geometry::rounded<Number>(ray), recentred);
+// What has a degree and coefficients `c`, ascending.
+template <number::RoundedNumber Number, typename Polynomial>
+std::optional<HeldPolynomial> as_held(const Polynomial& p) {
   HeldPolynomial held;
   for (int i = 0; i <= p.degree; ++i) {
     if (!(p.c[i] - p.c[i] == 0)) {
       return std::nullopt;
     }
-    held.ascending.push_back(Traits::to_exact(p.c[i]));
+    held.ascending.push_back(number::number_traits<Number>::to_exact(p.c[i]));
   }
-  held.shift = Traits::to_exact(p.shift);
   return held;
+}
+
+template <number::RoundedNumber Number>
+std::optional<HeldPolynomial> along_ray(const surface::LocalSurface& surface,
+                                        const geometry::ExactRay& ray, bool recentred) {
+  const surface::RayPolynomial<Number> p = surface::RoundedSurface<Number>(surface).polynomial(
+      geometry::rounded<Number>(ray), recentred);
+  auto held = as_held<Number>(p);
+  if (held) {
+    held->shift = number::number_traits<Number>::to_exact(p.shift);
+  }
+  return held;
+}
+
+template <number::RoundedNumber Number>
+std::optional<HeldPolynomial> on_piece(const surface::SweptSurface& sweep, std::uint32_t piece,
+                                       const geometry::ExactRay& ray) {
+  return as_held<Number>(
+      surface::RoundedSweep<Number>(sweep).polynomial(geometry::rounded<Number>(ray), piece));
 }
 
 // Of the unit sphere.
@@ -88,12 +105,15 @@ struct Holder {
   std::optional<HeldPolynomial> (*rounded)(const Coefficients&);
   std::optional<HeldPolynomial> (*along_ray)(const surface::LocalSurface&,
                                              const geometry::ExactRay&, bool);
+  std::optional<HeldPolynomial> (*on_piece)(const surface::SweptSurface&, std::uint32_t,
+                                            const geometry::ExactRay&);
   poly::Solution (*on_sphere)(const geometry::ExactRay&, surface::SphereFormula);
 };
 
 const Holder& holder(const std::string& number) {
-#define LAMINA_HOLDER(Number) \
-  {number::number_traits<Number>::name(), {rounded<Number>, along_ray<Number>, on_sphere<Number>}},
+#define LAMINA_HOLDER(Number)             \
+  {number::number_traits<Number>::name(), \
+   {rounded<Number>, along_ray<Number>, on_piece<Number>, on_sphere<Number>}},
   static const std::map<std::string, Holder> all{LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_HOLDER)};
 #undef LAMINA_HOLDER
   return all.at(number);
@@ -244,6 +264,75 @@ void add_ray_families(std::vector<PolynomialFamily>& all) {
   }
 }
 
+// Where a ray meets a spline's piece, in the contour's parameter, not divided by anything: with
+// t = (v - o_z) / d_z, (o_x + t d_x)^2 + (o_y + t d_y)^2 = u^2 of a turned one.
+Coefficients across(const surface::SweptSurface& sweep, std::uint32_t piece,
+                    const geometry::ExactRay& ray) {
+  const auto& [o, d] = ray;
+  const auto& [u, v] = sweep.contour().pieces()[piece];
+  const auto combined = [](const Rational& a, const Coefficients& x, const Rational& b,
+                           const Coefficients& y) {
+    Coefficients sum(std::max(x.size(), y.size()));
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] = (i < x.size() ? a * x[i] : Rational(0)) + (i < y.size() ? b * y[i] : Rational(0));
+    }
+    return sum;
+  };
+  if (sweep.sweep() == surface::Sweep::Translational) {
+    return combined(1, combined(d.y, u, -d.x, v), d.x * o.y - d.y * o.x, {1});
+  }
+  const Coefficients x = combined(d.x, v, o.x * d.z - o.z * d.x, {1});
+  const Coefficients y = combined(d.y, v, o.y * d.z - o.z * d.y, {1});
+  return combined(1, combined(1, times(x, x), 1, times(y, y)), -d.z * d.z, times(u, u));
+}
+
+// At one of the pieces whose rectangles the ray meets; rays that meet none are drawn anew.
+Problem sweep_problem(surface::Sweep kind, const RayFamily& rays, SeededStream& stream) {
+  for (;;) {
+    const surface::SweptSurface sweep = any_sweep(
+        stream, kind,
+        stream.chance(0.5) ? geometry::ContourKind::BSpline : geometry::ContourKind::CatmullRom);
+    const geometry::ExactRay ray = any_ray(stream, sweep, rays);
+    const surface::RoundedSweep<double> rounded(sweep);
+    std::vector<std::uint32_t> met;
+    for (std::uint32_t i = 0; i < sweep.contour().pieces().size(); ++i) {
+      if (sweep.sweeps(i) && !rounded.rules_out(geometry::rounded<double>(ray), i)) {
+        met.push_back(i);
+      }
+    }
+    if (met.empty()) {
+      continue;
+    }
+    const std::uint32_t piece = met[stream.below(met.size())];
+    return {across(sweep, piece, ray),
+            {Rational(0), Rational(1)},
+            [sweep, piece, ray](const std::string& number) {
+              return holder(number).on_piece(sweep, piece, ray);
+            },
+            {}};
+  }
+}
+
+void add_sweep_families(std::vector<PolynomialFamily>& all) {
+  constexpr int kBitsOfDouble = 53;
+  for (const surface::Sweep sweep : {surface::Sweep::Translational, surface::Sweep::Rotational}) {
+    const auto add = [&](const std::string& parameter, const RayFamily& rays) {
+      all.push_back(
+          {short_name(sweep) + " sweep",
+           parameter,
+           sweep == surface::Sweep::Rotational ? 6 : 3,
+           {},
+           [sweep, rays](SeededStream& stream) { return sweep_problem(sweep, rays, stream); }});
+    };
+    for (const double distance : {3.0, 1e3, 1e6}) {
+      add(fmt::format("from {:g}", distance), {RayKind::From, distance});
+    }
+    for (const int k : {6, 10}) {
+      add(fmt::format("grazing 1e-{}", k), {RayKind::Grazing, std::pow(10.0, -k), kBitsOfDouble});
+    }
+  }
+}
+
 std::vector<PolynomialFamily> make_families() {
   std::vector<PolynomialFamily> all;
   const std::vector<int> degrees{2, 3, 4, 6, 10};
@@ -297,6 +386,7 @@ std::vector<PolynomialFamily> make_families() {
     }
   }
   add_ray_families(all);
+  add_sweep_families(all);
   return all;
 }
 

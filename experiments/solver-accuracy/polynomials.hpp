@@ -1,5 +1,5 @@
 // The polynomials of the experiment `solver-accuracy`: families with known roots, and those of
-// rays at a sphere and a torus.
+// rays at a sphere, a torus and swept splines.
 #pragma once
 
 #include <functional>

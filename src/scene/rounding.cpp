@@ -71,13 +71,26 @@ std::optional<surface::LocalSurface> rounded_surface(const surface::LocalSurface
       }
       points.push_back({*u, *v});
     }
-    if (points == contour.points()) {
+    surface::Scaling scaling = surface.sweep->scaling();
+    for (auto* const polynomial : {&scaling.x, &scaling.y}) {
+      for (number::Rational& coefficient : *polynomial) {
+        const auto value = round(coefficient);
+        if (!value) {
+          return std::nullopt;
+        }
+        coefficient = *value;
+      }
+    }
+    if (points == contour.points() && scaling == surface.sweep->scaling()) {
       return surface;
     }
     try {
+      auto rounded_contour = std::make_shared<const geometry::Contour>(
+          std::move(points), contour.kind(), contour.closed());
       return surface::swept(
-          {surface.sweep->sweep(), std::make_shared<const geometry::Contour>(
-                                       std::move(points), contour.kind(), contour.closed())});
+          surface.sweep->sweep() == surface::Sweep::GeneralisedConic
+              ? surface::SweptSurface(std::move(scaling), std::move(rounded_contour))
+              : surface::SweptSurface(surface.sweep->sweep(), std::move(rounded_contour)));
     } catch (const base::InputError&) {
       return std::nullopt;
     }

@@ -162,6 +162,47 @@ Solid conic(const Arguments& arguments, const PlaneFigure& figure) {
                  {std::max(zero, box.u_max), std::max(zero, box.v_max), 1}});
 }
 
+// Not above, and not below, any value of the polynomial for 0 <= z <= 1: its Bernstein coefficients
+// there are the weights of its values.
+std::pair<Rational, Rational> bounds_to_one(const std::vector<Rational>& polynomial) {
+  const std::size_t n = polynomial.size() - 1;
+  std::vector<Rational> bernstein;
+  for (std::size_t k = 0; k <= n; ++k) {
+    Rational sum = 0;
+    Rational weight = 1;  // binomial(k, i) / binomial(n, i)
+    for (std::size_t i = 0; i <= k; ++i) {
+      sum += weight * polynomial[i];
+      if (i < k) {
+        weight *= Rational(static_cast<long>(k - i)) / static_cast<long>(n - i);
+      }
+    }
+    bernstein.push_back(sum);
+  }
+  const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
+  return {*least, *greatest};
+}
+
+Solid generalised_conic(const Arguments& arguments, const PlaneFigure& figure) {
+  const surface::Scaling scaling{*arguments.numbers("x"), *arguments.numbers("y")};
+  SharedContour contour = figure.contour();
+  const geometry::Rectangle box = rectangle_around(*contour);
+  surface::LocalSurface side = at(arguments, [&] {
+    return surface::swept({scaling, std::move(contour)});
+  });
+  if (!arguments.boolean("capped").value_or(true)) {
+    return {.parts = {{"", std::move(side)}}};
+  }
+  // A product of two ranges is extreme at their ends.
+  const auto product = [](const Rational& low, const Rational& high,
+                          const std::pair<Rational, Rational>& factor) {
+    return std::minmax({Rational(low * factor.first), Rational(low * factor.second),
+                        Rational(high * factor.first), Rational(high * factor.second)});
+  };
+  const auto x = product(box.u_min, box.u_max, bounds_to_one(scaling.x));
+  const auto y = product(box.v_min, box.v_max, bounds_to_one(scaling.y));
+  return capped(std::move(side), 0, 1, {{x.first, y.first, 0}, {x.second, y.second, 1}});
+}
+
 Solid turned(const Arguments& arguments, SharedContour contour) {
   const geometry::Rectangle box = rectangle_around(*contour);
   return {.parts = {{"", swept(arguments, Sweep::Rotational, std::move(contour))}},
@@ -259,6 +300,12 @@ const std::array kSweeps{
               translational},
     SweepNode{
         "conic_sweep", {"conic_sweep(capped = true) contour(...);", {}, 0, {"capped"}}, conic},
+    SweepNode{"generalised_conic_sweep",
+              {"generalised_conic_sweep(x = [p_0, p_1, ...], y = [q_0, q_1, ...], capped = true) "
+               "contour(...);",
+               {"x", "y", "capped"},
+               2},
+              generalised_conic},
     SweepNode{"rotational_sweep", {"rotational_sweep() contour(...);"}, rotational},
     SweepNode{"conic_spline_sweep",
               {"conic_spline_sweep(arcs = [[point, radius, tangent of half the angle], ...], "

@@ -64,6 +64,10 @@ Node sweep(const surface::SweptSurface& surface) {
   child.arguments.push_back({0, "kind", Value{0, std::string(name_of(contour.kind()))}});
   child.arguments.push_back({0, "closed", Value{0, contour.closed()}});
   Node result = node(std::string(name_of(surface.sweep())), {});
+  if (surface.sweep() == surface::Sweep::GeneralisedConic) {
+    result.arguments.push_back({0, "x", list(surface.scaling().x)});
+    result.arguments.push_back({0, "y", list(surface.scaling().y)});
+  }
   if (surface.sweep() != surface::Sweep::Rotational) {
     result.arguments.push_back({0, "capped", Value{0, false}});
   }

@@ -2,6 +2,7 @@
 // once, in rounded_hardware.cpp, rounded_narrow_bin.cpp and so on.
 #pragma once
 
+#include "surface/generalised_conic.ipp"
 #include "surface/parity_trimming.ipp"
 #include "surface/rounded_surface.ipp"
 #include "surface/rounded_sweep.ipp"

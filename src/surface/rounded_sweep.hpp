@@ -1,6 +1,7 @@
 // Half-spaces bounded by a swept contour, in a rounded number type, by van Wijk's equations.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,9 +22,9 @@ struct AsPrinted {
   bool conic_normal = false;
   /// The rectangle of each piece is tested in its turn, without a tree over them.
   bool each_piece = false;
-  /// Taken for d_x = d_y = 0, but in conic sweeps, and for d_z = 0 in rotational ones and at cap
-  /// planes: his "very small absolute value" (section 3), for which he names no number. Without,
-  /// these rays have equations of their own.
+  /// Taken for d_x = d_y = 0, but in conic sweeps of both kinds, and for d_z = 0 in rotational ones
+  /// and at cap planes: his "very small absolute value" (section 3), for which he names no number.
+  /// Without, these rays have equations of their own.
   std::optional<double> small_value{};
 };
 
@@ -54,12 +55,32 @@ class RoundedSweep {
   /// on both sides. Where the contour meets the axis and ends, or goes on along it, u^2 has a
   /// double root, which is a crossing.
   ///
+  /// A generalised conic sweep has such equations for level rays only. For others s is eliminated,
+  /// and roots in t of degree 15 at most, by the solver of sextics, divide the ray: a crossing is
+  /// where side() changes from one part's middle to the next one's. There t and s are polished
+  /// together, so that they are as good as the two equations for them.
+  ///
   /// Error:  that of the solver's or the search's s times the slope of t over s. The image's
   ///         coefficients are the more off the farther away the ray starts, and with them s; and as
   ///         a ray gets nearly level, t is off by some u (|d| / d_z)^2: for |d_z| below some
   ///         sqrt(u) |d| its two crossings of a steep piece are lost.
+  ///         Where a ray passes close by a place at which the scaling of a generalised conic sweep
+  ///         is zero, its roots there, of all pieces, are next to each other: t may be off by the
+  ///         distance from that place.
   bool find_crossings(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
                       std::vector<Crossing>& crossings) const;
+
+  /// In the contour's parameter s, ascending.
+  struct Polynomial {
+    std::array<Number, 7> c;
+    int degree = 0;  ///< of the piece, or twice that, whatever c[degree] is
+  };
+  /// Its roots in 0 .. 1 are where a piece meets the ray's image: equations 2, 6 and 9 of van Wijk
+  /// 1984.
+  [[nodiscard]] Polynomial polynomial(const geometry::Ray<Number>& local,
+                                      std::uint32_t piece) const {
+    return polynomial(pieces_[piece], image(local));
+  }
 
   /// Are all of the piece's points off the ray, for certain if nothing underflows? Van Wijk's
   /// rectangle tests of sections 3 to 5, as bounds of the equation over the rectangle, each less a
@@ -67,7 +88,8 @@ class RoundedSweep {
   [[nodiscard]] bool rules_out(const geometry::Ray<Number>& local, std::uint32_t piece) const;
 
   /// The outward normal at a crossing's point, not of length one: van Wijk's, but the right n_z of
-  /// a conic sweep, -(n_x u + n_y v). Contract: not at the apex of a conic sweep.
+  /// a conic sweep, -(n_x u + n_y v). Contract: not at the apex of a conic sweep, or where the
+  /// scaling of a generalised one is zero.
   [[nodiscard]] geometry::Vector3<Number> normal(const geometry::Vector3<Number>& local,
                                                  const Crossing& crossing) const;
 
@@ -99,6 +121,22 @@ class RoundedSweep {
   using Piece = RoundedPiece<Number>;
   using Image = RayImage<Number>;
 
+  // What x and y are divided by at this height, to get u and v.
+  struct Scales {
+    Number x, y;
+  };
+  [[nodiscard]] Scales scales_at(const Number& z) const;
+  void find_by_sides(const geometry::Ray<Number>& local, const poly::Solvers& solvers,
+                     std::vector<Crossing>& crossings) const;
+  // Where a piece is nearest to a place in its plane, by u or v alone, and how far that is,
+  // squared.
+  struct Foot {
+    Number s, distance;
+  };
+  [[nodiscard]] Foot foot_of(const Piece& piece, const std::array<Number, 2>& place,
+                             const poly::Solvers& solvers) const;
+  // By Newton's method for x = u(s) p(z) and y = v(s) q(z), as long as it helps.
+  [[nodiscard]] Crossing polished(const geometry::Ray<Number>& local, Crossing crossing) const;
   [[nodiscard]] Image image(const geometry::Ray<Number>& local) const;
   [[nodiscard]] bool is_level(const geometry::Ray<Number>& local) const {
     return sweep_ == Sweep::Rotational && local.direction.z == 0;
@@ -107,7 +145,8 @@ class RoundedSweep {
     return sweep_ == Sweep::Rotational && local.direction.x == 0 && local.direction.y == 0;
   }
   [[nodiscard]] geometry::Ray<Number> with_small_values(geometry::Ray<Number> local) const;
-  // The s in 0 .. 1 at which the piece meets the ray's image.
+  [[nodiscard]] Polynomial polynomial(const Piece& piece, const Image& image) const;
+  // The roots of that in 0 .. 1.
   [[nodiscard]] poly::RealRoots<Number> roots_of(const Piece& piece, const Image& image,
                                                  const poly::Solvers& solvers) const;
   // Calls cross(s) where the piece crosses the ray's image; false if it is part of that.
@@ -120,6 +159,8 @@ class RoundedSweep {
   Sweep sweep_;
   int orientation_;
   AsPrinted printed_;
+  std::vector<Number> scale_x_;  // polynomials in z; empty but of a generalised conic sweep
+  std::vector<Number> scale_y_;
   std::vector<Piece> pieces_;
   BoxTree<Number> tree_;
 };

@@ -59,6 +59,24 @@ void add_product(std::array<Number, 7>& sum, const Number& factor, const std::ar
 }
 
 template <number::RoundedNumber Number>
+Number value_at(const std::vector<Number>& ascending, const Number& z) {
+  Number value(0);
+  for (auto c = ascending.rbegin(); c != ascending.rend(); ++c) {
+    value = value * z + *c;
+  }
+  return value;
+}
+
+template <number::RoundedNumber Number>
+Number slope_at(const std::vector<Number>& ascending, const Number& z) {
+  Number slope(0);
+  for (std::size_t i = ascending.size() - 1; i > 0; --i) {
+    slope = slope * z + static_cast<Number>(static_cast<int>(i)) * ascending[i];
+  }
+  return slope;
+}
+
+template <number::RoundedNumber Number>
 Number of_larger_divisor(std::initializer_list<std::array<Number, 2>> quotients) {
   using std::abs;
   const auto best =
@@ -79,6 +97,10 @@ RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact, const AsPrinted& p
   const auto is_pole = [&](std::uint32_t neighbour, bool at_end_of_all) {
     return (at_end_of_all && !contour.closed()) || !exact.sweeps(neighbour);
   };
+  std::transform(exact.scaling().x.begin(), exact.scaling().x.end(), std::back_inserter(scale_x_),
+                 Traits::from_exact);
+  std::transform(exact.scaling().y.begin(), exact.scaling().y.end(), std::back_inserter(scale_y_),
+                 Traits::from_exact);
   std::vector<PlaneBox<Number>> boxes;
   for (std::uint32_t i = 0; i < count; ++i) {
     const geometry::ContourPiece& from = contour.pieces()[i];
@@ -100,6 +122,11 @@ RoundedSweep<Number>::RoundedSweep(const SweptSurface& exact, const AsPrinted& p
     pieces_.push_back(std::move(piece));
   }
   tree_ = BoxTree<Number>(boxes);
+}
+
+template <number::RoundedNumber Number>
+auto RoundedSweep<Number>::scales_at(const Number& z) const -> Scales {
+  return {detail::value_at(scale_x_, z), detail::value_at(scale_y_, z)};
 }
 
 template <number::RoundedNumber Number>
@@ -127,6 +154,15 @@ auto RoundedSweep<Number>::image(const geometry::Ray<Number>& local) const -> Im
       e.v = minor(o.z, d.x, o.x, d.z, e.most_v);
       e.constant = minor(o.x, d.y, o.y, d.x, e.most_constant);
       break;
+    case Sweep::GeneralisedConic: {  // of a level ray
+      const auto [p, q] = scales_at(o.z);
+      e.u = d.y * p;
+      e.v = -d.x * q;
+      e.most_u = abs(e.u);
+      e.most_v = abs(e.v);
+      e.constant = minor(d.x, o.y, d.y, o.x, e.most_constant);
+      break;
+    }
     case Sweep::Rotational: {
       if (is_level(local)) {
         e.v = e.most_v = Number(1);
@@ -164,25 +200,32 @@ bool RoundedSweep<Number>::rules_out(const geometry::Ray<Number>& local,
 }
 
 template <number::RoundedNumber Number>
+auto RoundedSweep<Number>::polynomial(const Piece& piece, const Image& e) const -> Polynomial {
+  Polynomial p;
+  p.c.fill(Number(0));
+  p.degree = piece.degree;
+  for (std::size_t k = 0; k < piece.u.size(); ++k) {
+    p.c[k] = e.u * piece.u[k] + e.v * piece.v[k];
+  }
+  p.c[0] = p.c[0] + e.constant;
+  if (!e.is_line()) {
+    detail::add_product(p.c, e.vv, piece.v, piece.v);
+    detail::add_product(p.c, e.uu, piece.u, piece.u);
+    p.degree *= 2;
+  }
+  return p;
+}
+
+template <number::RoundedNumber Number>
 poly::RealRoots<Number> RoundedSweep<Number>::roots_of(const Piece& piece, const Image& e,
                                                        const poly::Solvers& solvers) const {
-  std::array<Number, 7> p;
-  p.fill(Number(0));
-  int degree = piece.degree;
-  for (std::size_t k = 0; k < piece.u.size(); ++k) {
-    p[k] = e.u * piece.u[k] + e.v * piece.v[k];
-  }
-  p[0] = p[0] + e.constant;
-  if (!e.is_line()) {
-    detail::add_product(p, e.vv, piece.v, piece.v);
-    detail::add_product(p, e.uu, piece.u, piece.u);
-    degree *= 2;
-  }
-  return poly::real_roots(std::span<const Number>(p.data(), static_cast<std::size_t>(degree) + 1),
-                          poly::Range<Number>{Number(0), Number(1)},
-                          degree == 6   ? solvers.sextic
-                          : degree == 3 ? solvers.cubic
-                                        : poly::default_solver(2));
+  const Polynomial p = polynomial(piece, e);
+  return poly::real_roots(
+      std::span<const Number>(p.c.data(), static_cast<std::size_t>(p.degree) + 1),
+      poly::Range<Number>{Number(0), Number(1)},
+      p.degree == 6   ? solvers.sextic
+      : p.degree == 3 ? solvers.cubic
+                      : poly::default_solver(2));
 }
 
 template <number::RoundedNumber Number>
@@ -237,6 +280,11 @@ void RoundedSweep<Number>::add_crossings(const geometry::Ray<Number>& local, std
                                              {o.z * v - o.y, d.y - d.z * v},
                                              {o.y * u - o.x * v, d.x * v - d.y * u}}));
       break;
+    case Sweep::GeneralisedConic: {  // of a level ray
+      const auto [p, q] = scales_at(o.z);
+      add(detail::of_larger_divisor<Number>({{u * p - o.x, d.x}, {v * q - o.y, d.y}}));
+      break;
+    }
     case Sweep::Rotational:
       if (is_level(local)) {
         // The circle of radius u, by the ray's distance from the axis.
@@ -261,7 +309,8 @@ geometry::Ray<Number> RoundedSweep<Number>::with_small_values(geometry::Ray<Numb
   auto& d = local.direction;
   if (printed_.small_value) {
     const auto small = static_cast<Number>(*printed_.small_value);
-    if (sweep_ != Sweep::Conic && d.x == 0 && d.y == 0) {
+    const bool conic = sweep_ == Sweep::Conic || sweep_ == Sweep::GeneralisedConic;
+    if (!conic && d.x == 0 && d.y == 0) {
       d.x = d.y = small;
     }
     if (is_level(local)) {
@@ -280,6 +329,15 @@ bool RoundedSweep<Number>::find_crossings(const geometry::Ray<Number>& as_given,
   crossings.clear();
   if (sweep_ == Sweep::Translational && d.x == 0 && d.y == 0) {
     return true;
+  }
+  if (sweep_ == Sweep::GeneralisedConic) {
+    if (d.z != 0) {
+      find_by_sides(local, solvers, crossings);
+      return true;
+    }
+    if (const auto [p, q] = scales_at(o.z); p == 0 || q == 0) {
+      return true;
+    }
   }
   bool runs_along = false;
   const Image e = image(local);
@@ -347,6 +405,15 @@ geometry::Vector3<Number> RoundedSweep<Number>::normal(const geometry::Vector3<N
       const geometry::Vector3<Number> normal{n_u, n_v, n_z};
       return local.z < 0 ? Number(-1) * normal : normal;
     }
+    case Sweep::GeneralisedConic: {
+      const auto [p, q] = scales_at(local.z);
+      const Number u = detail::cubic_at(piece.u, crossing.s);
+      const Number v = detail::cubic_at(piece.v, crossing.s);
+      const Number n_z = -(n_u * u * detail::slope_at(scale_x_, local.z) * q +
+                           n_v * v * detail::slope_at(scale_y_, local.z) * p);
+      const geometry::Vector3<Number> normal{n_u * q, n_v * p, n_z};
+      return (p < 0) != (q < 0) ? Number(-1) * normal : normal;
+    }
     case Sweep::Rotational: {
       const Number u = detail::cubic_at(piece.u, crossing.s);
       if (!(u > 0)) {  // on the axis
@@ -398,6 +465,13 @@ int RoundedSweep<Number>::side_at_minus_infinity(const geometry::Ray<Number>& lo
   if (sweep_ == Sweep::Translational && d.x == 0 && d.y == 0) {
     return side(o, solvers, scratch);
   }
+  if (sweep_ == Sweep::GeneralisedConic) {
+    if (crossings.empty()) {
+      return d.z == 0 || side(o, solvers, scratch) >= 0 ? 1 : -1;
+    }
+    const Number first = crossings.front().t;
+    return d.z == 0 ? 1 : side(o + Number(first - abs(first) - 1) * d, solvers, scratch);
+  }
   if (sweep_ != Sweep::Conic || d.z == 0) {
     return 1;
   }
@@ -426,6 +500,10 @@ Number RoundedSweep<Number>::value(const geometry::Vector3<Number>& local,
       return n.x * (local.x - u) + n.y * (local.y - v);
     case Sweep::Conic:
       return n.x * (local.x - u * local.z) + n.y * (local.y - v * local.z);
+    case Sweep::GeneralisedConic: {
+      const auto [p, q] = scales_at(local.z);
+      return n.x * (local.x - u * p) + n.y * (local.y - v * q);
+    }
     case Sweep::Rotational: {
       // With n_u times the radius for both n.x and n.y.
       const Number radius = sqrt(local.x * local.x + local.y * local.y);
@@ -454,6 +532,7 @@ Number RoundedSweep<Number>::rounding_error(const geometry::Vector3<Number>& mag
   const Number v = most(piece.v);
   const Number n_u = abs(detail::cubic_slope_at(piece.v, crossing.s));
   const Number n_v = abs(detail::cubic_slope_at(piece.u, crossing.s));
+  int roundings = 16;
   Number terms(0);
   switch (sweep_) {
     case Sweep::Translational:
@@ -462,13 +541,29 @@ Number RoundedSweep<Number>::rounding_error(const geometry::Vector3<Number>& mag
     case Sweep::Conic:
       terms = n_u * (magnitude.x + u * magnitude.z) + n_v * (magnitude.y + v * magnitude.z);
       break;
+    case Sweep::GeneralisedConic: {
+      // p, of degree 5 at most, has 5 powers of a local coordinate, and 11 roundings by Horner's
+      // rule; it stands in a term once, as does q.
+      roundings += 2 * (5 * 5 + 11);
+      const auto size_at = [](const std::vector<Number>& ascending, const Number& z) {
+        Number sum(0);
+        for (auto c = ascending.rbegin(); c != ascending.rend(); ++c) {
+          sum = sum * z + abs(*c);
+        }
+        return sum;
+      };
+      const Number p = size_at(scale_x_, magnitude.z);
+      const Number q = size_at(scale_y_, magnitude.z);
+      terms = n_u * q * (magnitude.x + u * p) + n_v * p * (magnitude.y + v * q);
+      break;
+    }
     case Sweep::Rotational: {
       const Number radius = sqrt(magnitude.x * magnitude.x + magnitude.y * magnitude.y);
       terms = radius * (n_u * (radius + u) + n_v * (magnitude.z + v));
       break;
     }
   }
-  const Number relative = 16 * number::unit_roundoff<Number>();
+  const Number relative = static_cast<Number>(roundings) * number::unit_roundoff<Number>();
   return relative / (1 - relative) * terms;
 }
 

@@ -51,6 +51,15 @@ Polynomial shifted(Polynomial p, const Rational& by) {
   return p;
 }
 
+// p of a polynomial, for one p that is not empty.
+Polynomial composed(const Polynomial& p, const Polynomial& inner) {
+  Polynomial result{p.back()};
+  for (auto c = std::next(p.rbegin()); c != p.rend(); ++c) {
+    result = shifted(multiply(result, inner), *c);
+  }
+  return result;
+}
+
 // A polynomial in u, which need not be rational, whose coefficients are polynomials in t.
 using InU = std::vector<Polynomial>;
 
@@ -109,13 +118,13 @@ struct PlaneRay {
   Polynomial w;
 };
 
-PlaneRay plane_ray(Sweep sweep, const ExactRay& ray) {
+PlaneRay plane_ray(const SweptSurface& surface, const ExactRay& ray) {
   const auto& [o, d] = ray;
   const Polynomial x{o.x, d.x};
   const Polynomial y{o.y, d.y};
   const Polynomial z{o.z, d.z};
   const Polynomial one{1};
-  switch (sweep) {
+  switch (surface.sweep()) {
     case Sweep::Translational:
       return {x, {}, y, one};
     case Sweep::Conic:
@@ -124,6 +133,15 @@ PlaneRay plane_ray(Sweep sweep, const ExactRay& ray) {
       Polynomial squared = multiply(x, x);
       add(squared, multiply(y, y));
       return {{}, squared, z, one};
+    }
+    case Sweep::GeneralisedConic: {
+      const auto& [p, q] = surface.scaling();
+      const Polynomial scale_x = composed(p, z);
+      const Polynomial scale_y = composed(q, z);
+      return p == q
+                 ? PlaneRay{x, {}, y, scale_x}
+                 : PlaneRay{
+                       multiply(x, scale_y), {}, multiply(y, scale_x), multiply(scale_x, scale_y)};
     }
   }
   return {};
@@ -181,8 +199,18 @@ struct Range {
 
 Range range_of(const Rational& a, const Rational& b) { return a < b ? Range{a, b} : Range{b, a}; }
 
-// A polynomial of degree 2 at most over an interval of t.
+// Encloses a polynomial over an interval of t; the narrowest that does, for degree 2 at most.
 Range range_over(const Polynomial& p, const Range& t) {
+  if (p.size() > 3) {
+    Range range{p.back(), p.back()};
+    for (auto c = std::next(p.rbegin()); c != p.rend(); ++c) {
+      const auto [least, greatest] =
+          std::minmax({Rational(range.low * t.low), Rational(range.low * t.high),
+                       Rational(range.high * t.low), Rational(range.high * t.high)});
+      range = {least + *c, greatest + *c};
+    }
+    return range;
+  }
   Range range = range_of(value_at(p, t.low), value_at(p, t.high));
   if (p.size() > 2 && !p[2].is_zero()) {
     const Rational turn = -p[1] / (2 * p[2]);
@@ -471,17 +499,57 @@ class PassingCount {
   bool on_contour_ = false;
 };
 
-PlanePlace place_of(Sweep sweep, const ExactPoint& local) {
-  const auto& [x, y, z] = local;
-  switch (sweep) {
-    case Sweep::Translational:
-      return {x, {}, y};
+// What x and y are divided by to get u and v, in a sweep that is not turned.
+struct Scales {
+  Rational x;
+  Rational y;
+};
+
+Scales scales_at(const SweptSurface& surface, const Rational& z) {
+  switch (surface.sweep()) {
     case Sweep::Conic:
-      return {Rational(x / z), {}, y / z};
+      return {z, z};
+    case Sweep::GeneralisedConic:
+      return {value_at(surface.scaling().x, z), value_at(surface.scaling().y, z)};
+    case Sweep::Translational:
     case Sweep::Rotational:
       break;
   }
-  return {{}, x * x + y * y, z};
+  return {1, 1};
+}
+
+// None at heights where x or y is scaled to nothing.
+std::optional<PlanePlace> place_of(const SweptSurface& surface, const ExactPoint& local) {
+  const auto& [x, y, z] = local;
+  if (surface.sweep() == Sweep::Rotational) {
+    return PlanePlace{{}, x * x + y * y, z};
+  }
+  const auto [scale_x, scale_y] = scales_at(surface, z);
+  if (scale_x.is_zero() || scale_y.is_zero()) {
+    return std::nullopt;
+  }
+  return PlanePlace{Rational(x / scale_x), {}, y / scale_y};
+}
+
+// There: is the point where the surface is drawn together to a point or to a line?
+bool is_in_pinch(const SweptSurface& surface, const ExactPoint& local) {
+  const auto [scale_x, scale_y] = scales_at(surface, local.z);
+  // Is there one of the contour's points with this u, or v?
+  const auto reaches = [&](const Polynomial ContourPiece::*coordinate, const Rational& value) {
+    const auto pieces = surface.contour().pieces();
+    return std::any_of(pieces.begin(), pieces.end(), [&](const ContourPiece& piece) {
+      const IntegerPolynomial f =
+          number::with_cleared_denominators(shifted(piece.*coordinate, -value));
+      const auto roots = f.degree() > 0 ? number::real_roots(f) : std::vector<Root>{};
+      return f.is_zero() || std::any_of(roots.begin(), roots.end(), [](const Root& s) {
+               return compare(s, Rational(0)) >= 0 && compare(s, Rational(1)) <= 0;
+             });
+    });
+  };
+  const bool on_x =
+      scale_x.is_zero() ? local.x.is_zero() : reaches(&ContourPiece::u, local.x / scale_x);
+  return on_x &&
+         (scale_y.is_zero() ? local.y.is_zero() : reaches(&ContourPiece::v, local.y / scale_y));
 }
 
 // Of a curve's point from a place, squared, to first order.
@@ -570,6 +638,8 @@ std::string_view name_of(Sweep sweep) {
       return "translational_sweep";
     case Sweep::Conic:
       return "conic_sweep";
+    case Sweep::GeneralisedConic:
+      return "generalised_conic_sweep";
     case Sweep::Rotational:
       break;
   }
@@ -578,11 +648,16 @@ std::string_view name_of(Sweep sweep) {
 
 std::strong_ordering operator<=>(const SweptSurface& a, const SweptSurface& b) {
   const auto key = [](const SweptSurface& x) {
-    return std::tuple(x.sweep(), x.contour().kind(), x.contour().closed(),
-                      x.contour().points().size());
+    return std::tuple(x.sweep(), x.scaling().x.size(), x.scaling().y.size(), x.contour().kind(),
+                      x.contour().closed(), x.contour().points().size());
   };
   if (const auto order = key(a) <=> key(b); order != 0) {
     return order;
+  }
+  if (a.scaling() != b.scaling()) {
+    return std::tie(a.scaling().x, a.scaling().y) < std::tie(b.scaling().x, b.scaling().y)
+               ? std::strong_ordering::less
+               : std::strong_ordering::greater;
   }
   for (std::size_t i = 0; i < a.contour().points().size(); ++i) {
     const geometry::PlanePoint& p = a.contour().points()[i];
@@ -607,15 +682,40 @@ SweptSurface::SweptSurface(Sweep sweep, std::shared_ptr<const Contour> contour)
   }
 }
 
+SweptSurface::SweptSurface(Scaling scaling, std::shared_ptr<const Contour> contour)
+    : SweptSurface(Sweep::GeneralisedConic, std::move(contour)) {
+  constexpr std::size_t kMostDegree = 5;  // of w: 15 of the polynomial in t
+  for (Polynomial* p : {&scaling.x, &scaling.y}) {
+    while (!p->empty() && p->back().is_zero()) {
+      p->pop_back();
+    }
+    if (p->empty()) {
+      throw base::InputError("x and y cannot be scaled by zero: state a coefficient other than 0");
+    }
+  }
+  const auto& [p, q] = scaling;
+  const std::size_t degree = p == q ? p.size() - 1 : p.size() + q.size() - 2;
+  if (degree > kMostDegree || (p != q && std::max(p.size(), q.size()) > kMostDegree)) {
+    throw base::InputError(
+        "the polynomials that scale x and y must be of degree 5 at most, both together unless they "
+        "are equal, with 4 at most for one");
+  }
+  if (p == q && (p == Polynomial{1} || p == Polynomial{0, 1})) {
+    sweep_ = p.size() == 1 ? Sweep::Translational : Sweep::Conic;
+    return;
+  }
+  scaling_ = std::move(scaling);
+}
+
 bool SweptSurface::sweeps(std::uint32_t piece) const {
   return sweep_ != Sweep::Rotational || !is_on_axis(contour_->pieces()[piece]);
 }
 
 int SweptSurface::side(const ExactPoint& local) const {
-  if (sweep_ == Sweep::Conic && local.z.is_zero()) {
-    return local.x.is_zero() && local.y.is_zero() ? 0 : 1;
+  if (const auto place = place_of(*this, local)) {
+    return PassingCount(*contour_, *place).side();
   }
-  return PassingCount(*contour_, place_of(sweep_, local)).side();
+  return is_in_pinch(*this, local) ? 0 : 1;
 }
 
 ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) const {
@@ -632,6 +732,14 @@ ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) co
       return {n_u, n_v, 0};
     case Sweep::Conic:
       return Rational(z.sign()) * ExactPoint{n_u, n_v, -(n_u * u + n_v * v)};
+    case Sweep::GeneralisedConic: {
+      // The gradient of what is zero at (x / p, y / q), times the absolute value of p q.
+      const auto [p, q] = scales_at(*this, z);
+      const Rational slope_p = slope_at(scaling_.x, z);
+      const Rational slope_q = slope_at(scaling_.y, z);
+      return Rational(p.sign() * q.sign()) *
+             ExactPoint{n_u * q, n_v * p, -(n_u * u * slope_p * q + n_v * v * slope_q * p)};
+    }
     case Sweep::Rotational:
       break;
   }
@@ -639,23 +747,23 @@ ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) co
 }
 
 SweptSurface::Foot SweptSurface::foot_near(const ExactPoint& local) const {
-  LAMINA_REQUIRE(sweep_ != Sweep::Conic || !local.z.is_zero(), "the apex is over no one point");
-  return foot_of(*this, place_of(sweep_, local));
+  const auto place = place_of(*this, local);
+  LAMINA_REQUIRE(place.has_value(), "where the scaling is zero, no one point is below");
+  return foot_of(*this, *place);
 }
 
 ExactPoint SweptSurface::normal_near(const ExactPoint& local) const {
-  if (sweep_ == Sweep::Conic && local.z.is_zero()) {
-    return {0, 0, 0};
-  }
-  return normal_at(local, foot_near(local));
+  return place_of(*this, local) ? normal_at(local, foot_near(local)) : ExactPoint{0, 0, 0};
 }
 
 std::optional<SweptSurface::Facets> SweptSurface::facets(const ExactPoint& local) const {
-  if (sweep_ == Sweep::Rotational || contour_->kind() != geometry::ContourKind::Line ||
-      (sweep_ == Sweep::Conic && local.z.is_zero())) {
+  const bool flat = contour_->kind() == geometry::ContourKind::Line &&
+                    (sweep_ == Sweep::Translational || sweep_ == Sweep::Conic);
+  const auto at = flat ? place_of(*this, local) : std::nullopt;
+  if (!at) {
     return std::nullopt;
   }
-  const PlanePlace place = place_of(sweep_, local);
+  const PlanePlace& place = *at;
   const auto pieces = contour_->pieces();
   Facets facets;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
@@ -678,15 +786,18 @@ std::optional<SweptSurface::Facets> SweptSurface::facets(const ExactPoint& local
 }
 
 SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
-  const PlaneRay ray = plane_ray(sweep_, local);
+  const PlaneRay ray = plane_ray(*this, local);
   std::vector<Candidate> candidates;
-  if (sweep_ == Sweep::Conic) {
+  if (sweep_ == Sweep::Conic || sweep_ == Sweep::GeneralisedConic) {
     add_roots(candidates, ray.w, std::nullopt);
   }
   const auto pieces = contour_->pieces();
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const Rectangle& box = contour_->boxes()[i];
-    if (!sweeps(i) || (ray.u ? line_misses(ray, box) : ring_is_missed(ray, box))) {
+    const bool is_missed = sweep_ == Sweep::Rotational         ? ring_is_missed(ray, box)
+                           : sweep_ == Sweep::GeneralisedConic ? false
+                                                               : line_misses(ray, box);
+    if (!sweeps(i) || is_missed) {
       continue;
     }
     std::vector<Candidate> of_piece;

@@ -1,5 +1,5 @@
 // Half-spaces bounded by a swept contour, exactly: van Wijk's translational, conic and rotational
-// sweeps.
+// sweeps, and his generalization of conic ones.
 #pragma once
 
 #include <compare>
@@ -21,10 +21,21 @@ enum class Sweep : std::uint8_t {
   Translational,  ///< (u, v) = (x, y): the infinite cylinder over the contour
   Conic,          ///< (u, v) = (x / z, y / z): the infinite cone of both nappes, apex at the origin
   Rotational,     ///< (u, v) = (sqrt(x^2 + y^2), z): the solid of revolution
+  /// (u, v) = (x / p(z), y / q(z)) for polynomials p and q: each coordinate is scaled by a function
+  /// of its own (section 7). At heights where one is zero there is no inside.
+  GeneralisedConic,
 };
 
 /// What a scene calls it: `translational_sweep` and so on.
 std::string_view name_of(Sweep sweep);
+
+/// Of a generalised conic sweep: coefficients of 1, z, z^2, ...
+struct Scaling {
+  std::vector<number::Rational> x;  ///< of p
+  std::vector<number::Rational> y;  ///< of q
+
+  friend bool operator==(const Scaling&, const Scaling&) = default;
+};
 
 /// The half-space in local coordinates.
 class SweptSurface {
@@ -51,12 +62,16 @@ class SweptSurface {
   /// Throws base::InputError for a contour that the sweep cannot have: an open one, but for
   /// Rotational, for that one with points left of the axis, and one that encloses nothing.
   SweptSurface(Sweep sweep, std::shared_ptr<const geometry::Contour> contour);
+  /// Generalised conic; but translational with p = q = 1, and conic with p = q = z. Throws
+  /// base::InputError also for a polynomial that is zero, and for degrees above 5: of p and q
+  /// together, or of either where they are equal.
+  SweptSurface(Scaling scaling, std::shared_ptr<const geometry::Contour> contour);
 
   /// All crossings on the whole line of a ray in local coordinates; t is the same as in the world.
   /// Exact: s is eliminated from each piece, which leaves a polynomial in t of degree 3, or 6 of a
-  /// rotational sweep; between its isolated roots the ray's points are inside or not. Where the
-  /// curves of several pieces pass through one point, which may be beyond their ends, the crossing
-  /// is that of the lowest piece whose rectangle holds it.
+  /// rotational sweep, or up to 15 of a generalised conic one; between its isolated roots the ray's
+  /// points are inside or not. Where the curves of several pieces pass through one point, which may
+  /// be beyond their ends, the crossing is that of the lowest piece whose rectangle holds it.
   [[nodiscard]] Crossings crossings(const geometry::ExactRay& local) const;
 
   /// -1 inside, 0 on the surface, 1 outside: exact.
@@ -64,12 +79,12 @@ class SweptSurface {
 
   /// Where the contour is nearest to a point that is all but on the surface, as far as that is told
   /// by u or v alone. Its error is of the order of the point's distance from the surface. Contract:
-  /// not at z = 0 of a conic sweep.
+  /// not where the scaling is zero, as at z = 0 of a conic sweep.
   [[nodiscard]] Foot foot_near(const geometry::ExactPoint& local) const;
   /// The outward normal, not of length one, at a point over this one of the contour.
   [[nodiscard]] geometry::ExactPoint normal_at(const geometry::ExactPoint& local,
                                                const Foot& foot) const;
-  /// That at foot_near(local); zero at the apex of a conic sweep, which has none.
+  /// That at foot_near(local); zero where the scaling is, as at the apex of a conic sweep.
   [[nodiscard]] geometry::ExactPoint normal_near(const geometry::ExactPoint& local) const;
 
   /// The planes that the surface consists of around one of its points.
@@ -84,6 +99,8 @@ class SweptSurface {
   [[nodiscard]] bool sweeps(std::uint32_t piece) const;
 
   [[nodiscard]] Sweep sweep() const { return sweep_; }
+  /// Empty but of a generalised conic sweep; without leading zeros.
+  [[nodiscard]] const Scaling& scaling() const { return scaling_; }
   [[nodiscard]] const geometry::Contour& contour() const { return *contour_; }
 
   /// Equal if the sweeps are, and the contours by their points, which must begin at the same one.
@@ -91,6 +108,7 @@ class SweptSurface {
 
  private:
   Sweep sweep_;
+  Scaling scaling_;
   std::shared_ptr<const geometry::Contour> contour_;
 };
 

@@ -18,6 +18,9 @@ namespace lamina::support {
 
 inline constexpr std::array kSweeps{surface::Sweep::Translational, surface::Sweep::Conic,
                                     surface::Sweep::Rotational};
+inline constexpr std::array kSweepsOfAllKinds{surface::Sweep::Translational, surface::Sweep::Conic,
+                                              surface::Sweep::Rotational,
+                                              surface::Sweep::GeneralisedConic};
 inline constexpr std::array kKinds{geometry::ContourKind::Line, geometry::ContourKind::BSpline,
                                    geometry::ContourKind::CatmullRom};
 
@@ -59,14 +62,25 @@ inline std::vector<geometry::PlanePoint> any_profile(base::SeededStream& stream)
   return points;
 }
 
+// A line and a parabola.
+inline surface::Scaling any_scaling(base::SeededStream& stream) {
+  const auto any = [&stream] {
+    return number::Rational((stream.chance(0.5) ? 1 : -1) * stream.integer(1, 8), 8);
+  };
+  return {{any(), any()}, {any(), any(), any()}};
+}
+
 // Nothing where a spline crosses itself, or gets left of the axis. A star and a profile that are
 // polygons never do.
 inline std::optional<surface::SweptSurface> swept_surface(surface::Sweep sweep,
                                                           std::vector<geometry::PlanePoint> points,
-                                                          geometry::ContourKind kind, bool closed) {
+                                                          geometry::ContourKind kind, bool closed,
+                                                          surface::Scaling scaling = {}) {
   try {
-    return surface::SweptSurface(
-        sweep, std::make_shared<const geometry::Contour>(std::move(points), kind, closed));
+    auto contour = std::make_shared<const geometry::Contour>(std::move(points), kind, closed);
+    return sweep == surface::Sweep::GeneralisedConic
+               ? surface::SweptSurface(std::move(scaling), std::move(contour))
+               : surface::SweptSurface(sweep, std::move(contour));
   } catch (const base::InputError&) {
     if (kind == geometry::ContourKind::Line) {
       throw;
@@ -82,8 +96,10 @@ inline std::optional<surface::SweptSurface> any_swept_surface(base::SeededStream
   const bool closed = !turned || stream.chance(0.5);
   const geometry::PlanePoint centre{turned ? number::Rational(2) : any_dyadic(stream, -1, 1),
                                     any_dyadic(stream, -1, 1)};
-  return swept_surface(sweep, closed ? any_star(stream, centre) : any_profile(stream), kind,
-                       closed);
+  auto points = closed ? any_star(stream, centre) : any_profile(stream);
+  return swept_surface(
+      sweep, std::move(points), kind, closed,
+      sweep == surface::Sweep::GeneralisedConic ? any_scaling(stream) : surface::Scaling{});
 }
 
 }  // namespace lamina::support

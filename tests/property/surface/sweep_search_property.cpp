@@ -66,6 +66,8 @@ ExactRay ray_at_joint(SeededStream& stream, const SweptSurface& surface) {
       p = {u, 0, v};
       d = tangent ? ExactPoint{piece.u[1], d.y, piece.v[1]} : d;
       break;
+    case Sweep::GeneralisedConic:
+      break;
   }
   return {p - Rational(stream.integer(-8, 8)) * d, d};
 }

@@ -142,6 +142,8 @@ Spot spot_at(SeededStream& stream, Sweep sweep, const SweptCurve::Piece& piece, 
       const Rational sine = 2 * half / (1 + half * half);
       return {{u * cosine, u * sine, v}, {-sine, cosine, 0}, {du * cosine, du * sine, dv}};
     }
+    case Sweep::GeneralisedConic:
+      break;
   }
   return {};
 }

@@ -44,6 +44,16 @@ TEST(SweepNodeTest, StatesHalfSpacesAndTheirCaps) {
   EXPECT_FALSE(infinite.bounds.has_value());
 }
 
+TEST(SweepNodeTest, BoundsWhatIsScaledByPolynomials) {
+  const Scene scene =
+      scene_of(std::string("generalised_conic_sweep([2, -3], [1, 0, 1]) ") + kTriangle);
+  ASSERT_EQ(scene.leaves.size(), 3U);
+  EXPECT_EQ(sweep_of(scene, 0).sweep(), Sweep::GeneralisedConic);
+  // 2 - 3 z times 0 to 2, and 1 + z^2 times 0 to 1.
+  EXPECT_EQ(scene.bounds->lower, (geometry::ExactPoint{-2, 0, 0}));
+  EXPECT_EQ(scene.bounds->upper, (geometry::ExactPoint{4, 2, 1}));
+}
+
 TEST(SweepNodeTest, ReadsKindsOfContours) {
   const auto kind = [](const std::string& name) {
     const Scene scene =
@@ -117,7 +127,8 @@ TEST(SweepNodeTest, ConicSplinesAndConeStacksAreOrdinaryTrees) {
 TEST(SweepNodeTest, EachReadsBackFromItsText) {
   const std::string contour = "contour([[1, 0], [2, 1/3], [1, 2]], kind=\"bspline\")";
   for (const std::string sweep :
-       {"translational_sweep() ", "conic_sweep(capped=false) ", "rotational_sweep() "}) {
+       {"translational_sweep() ", "conic_sweep(capped=false) ", "rotational_sweep() ",
+        "generalised_conic_sweep([1, 1/3], [2, 0, 1]) "}) {
     const Scene scene = scene_of("translate([1, 2, 3]) " + sweep + contour + ";");
     const std::string text = text_of(syntax_of(scene));
     const Scene again = scene_of(text);
@@ -143,6 +154,10 @@ TEST(SweepErrorTest, NamesTheNodeAndThePoint) {
   EXPECT_TRUE(fails_at("rotational_sweep() contour([[-1, 0], [2, 1], [1, 3]]);", "1:1", "point "));
   EXPECT_TRUE(fails_at("conic_sweep() contour([[0, 0], [2, 1], [0, 3]], closed=false);", "1:1",
                        "close it"));
+  EXPECT_TRUE(fails_at("generalised_conic_sweep([0], [1]) contour([[0, 0], [2, 1], [0, 3]]);",
+                       "1:1", "cannot be scaled by zero"));
+  EXPECT_TRUE(fails_at("generalised_conic_sweep([1]) contour([[0, 0], [2, 1], [0, 3]]);", "1:1",
+                       "generalised_conic_sweep(x = "));
   EXPECT_TRUE(fails_at("linear_extrude(2, twist = 3) square(1);", "1:27", "leave `twist` out"));
   EXPECT_TRUE(fails_at("linear_extrude(2, scale = 2) square(1);", "1:27", "leave `scale` out"));
   EXPECT_TRUE(fails_at("rotate_extrude(angle = 90) square(1);", "1:24", "leave `angle` out"));

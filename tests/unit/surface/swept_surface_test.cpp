@@ -160,6 +160,68 @@ TEST(SweptSurfaceTest, RayThroughAPole) {
   expect_times(double_cone, {{-1, 0, 4}, {1, 0, -3}}, {1, Rational(3, 2)});
 }
 
+SweptSurface scaled(Scaling scaling, Points points) {
+  return {std::move(scaling),
+          std::make_shared<const Contour>(std::move(points), ContourKind::Line, true)};
+}
+
+const Points kCentredSquare{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+
+TEST(GeneralisedConicTest, IsAPlainerSweepWhereItsPolynomialsSay) {
+  const auto same = [](const SweptSurface& a, const SweptSurface& b) { return a <=> b == 0; };
+  EXPECT_TRUE(same(scaled({{1}, {1, 0}}, kSquare), polygon(Sweep::Translational, kSquare)));
+  EXPECT_TRUE(same(scaled({{0, 1}, {0, 1}}, kSquare), polygon(Sweep::Conic, kSquare)));
+  EXPECT_TRUE(same(scaled({{2, 1}, {1}}, kSquare), scaled({{2, 1, 0}, {1, 0}}, kSquare)));
+  EXPECT_FALSE(same(scaled({{2, 1}, {1}}, kSquare), scaled({{1}, {2, 1}}, kSquare)));
+}
+
+TEST(GeneralisedConicTest, HasWallsThatBend) {
+  // |x| <= 1 + z^2 / 4, |y| <= 2.
+  const SweptSurface waist = scaled({{1, 0, Rational(1, 4)}, {2}}, kCentredSquare);
+  EXPECT_EQ(waist.sweep(), Sweep::GeneralisedConic);
+  // On 4 x = 5 z, x meets a wall where x = 1 + 4 x^2 / 25 or -x is that: at 5/4 and 5, both signs.
+  const ExactRay across{{0, 0, 0}, {5, 0, 4}};
+  expect_times(waist, across, {-1, Rational(-1, 4), Rational(1, 4), 1});
+  EXPECT_TRUE(waist.crossings(across).starts_inside);
+  // Level at z = 2, and along the axis in a wall's height, which it leaves at |z| < 2.
+  expect_times(waist, {{-8, 1, 2}, {1, 0, 0}}, {6, 10});
+  expect_times(waist, {{2, 0, -5}, {0, 0, 1}}, {3, 7});
+  EXPECT_EQ(waist.side({Rational(3, 2), 0, 0}), 1);
+  EXPECT_EQ(waist.side({Rational(3, 2), 0, 2}), -1);
+  EXPECT_EQ(waist.side({2, 0, 2}), 0);
+  // x - 1 - z^2 / 4 = 0 has the gradient (1, 0, -1) there.
+  const ExactPoint normal = waist.normal_near({2, 0, 2});
+  EXPECT_GT(normal.x, 0);
+  EXPECT_EQ(normal.y, 0);
+  EXPECT_EQ(normal.z, -normal.x);
+}
+
+TEST(GeneralisedConicTest, IsDrawnTogetherWhereAPolynomialIsZero) {
+  // |x| <= |z|, |y| <= 1: two prisms that meet in a segment of the y axis.
+  const SweptSurface wedges = scaled({{0, 1}, {1}}, kCentredSquare);
+  EXPECT_EQ(wedges.side({0, Rational(1, 2), 0}), 0);
+  EXPECT_EQ(wedges.side({0, 1, 0}), 0);
+  EXPECT_EQ(wedges.side({0, 2, 0}), 1);
+  EXPECT_EQ(wedges.side({1, 0, 0}), 1);
+  EXPECT_EQ(wedges.normal_near({0, 0, 0}), ExactPoint{});
+  // Through the segment from one prism to the other, which is no crossing.
+  expect_times(wedges, {{0, 0, -3}, {0, 0, 1}}, {});
+  EXPECT_TRUE(wedges.crossings({{0, 0, -3}, {0, 0, 1}}).starts_inside);
+  expect_times(wedges, {{1, 0, -3}, {0, 0, 1}}, {2, 4});
+  // Both are zero at z = 0: only the apex is there.
+  const SweptSurface pinched = scaled({{0, 1}, {0, 0, 1}}, kCentredSquare);
+  EXPECT_EQ(pinched.side({0, 0, 0}), 0);
+  EXPECT_EQ(pinched.side({0, Rational(1, 9), 0}), 1);
+}
+
+TEST(GeneralisedConicTest, RefusesPolynomialsThatAreZeroOrOfHighDegree) {
+  EXPECT_THROW(scaled({{0, 0}, {1}}, kSquare), base::InputError);
+  EXPECT_THROW(scaled({{1}, {}}, kSquare), base::InputError);
+  EXPECT_THROW(scaled({{1, 0, 0, 1}, {1, 0, 0, 2}}, kSquare), base::InputError);
+  EXPECT_NO_THROW(scaled({{1, 0, 0, 1}, {1, 0, 0, 1}}, kSquare));
+  EXPECT_NO_THROW(scaled({{1, 0, 0, 1}, {1, 0, 2}}, kSquare));
+}
+
 TEST(SweptSurfaceTest, RefusesContoursThatBoundNothing) {
   const Points on_axis{{0, 0}, {0, 1}};
   EXPECT_THROW(polygon(Sweep::Rotational, on_axis, false), base::InputError);
