@@ -165,13 +165,16 @@ auto RoundedSweep<Number>::polished(const geometry::Ray<Number>& local, Crossing
 }
 
 template <number::RoundedNumber Number>
-void RoundedSweep<Number>::find_by_sides(const geometry::Ray<Number>& local,
+void RoundedSweep<Number>::find_by_sides(const geometry::Ray<Number>& as_given,
                                          const poly::Solvers& solvers,
                                          std::vector<Crossing>& crossings) const {
   using std::abs;
   using InT = std::vector<Number>;  // a polynomial, ascending
+  // From the ray's point that is nearest to the origin: from far away powers of t are of any size.
+  const auto& d = as_given.direction;
+  const Number shift = -dot(as_given.origin, d) / dot(d, d);
+  const geometry::Ray<Number> local{as_given.origin + shift * d, d};
   const auto& o = local.origin;
-  const auto& d = local.direction;
   const InT z{o.z, d.z};
   const InT p = detail::composed(scale_x_, z);
   const InT q = detail::composed(scale_y_, z);
@@ -220,6 +223,7 @@ void RoundedSweep<Number>::find_by_sides(const geometry::Ray<Number>& local,
         }
       }
       crossings.push_back(polished(local, crossing));
+      crossings.back().t = crossings.back().t + shift;
     }
     last = next != 0 ? next : last;
     first = end;
