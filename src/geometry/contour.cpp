@@ -16,29 +16,6 @@ namespace {
 using number::Rational;
 using Coefficients = std::vector<Rational>;
 
-void require_enough_points(const std::vector<PlanePoint>& points, bool closed) {
-  const std::size_t least = closed ? 3 : 2;
-  if (points.size() < least) {
-    throw base::InputError(fmt::format("{} contour needs {} points or more, here are {}",
-                                       closed ? "a closed" : "an open", least, points.size()));
-  }
-}
-
-void require_unequal_neighbours(const std::vector<PlanePoint>& points, bool closed) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i - 1] == points[i]) {
-      throw base::InputError(
-          fmt::format("point {} of the contour repeats point {}: leave one of them out", i + 1, i));
-    }
-  }
-  if (closed && points.front() == points.back()) {
-    throw base::InputError(
-        fmt::format("point {} of the contour, its last one, repeats point 1: leave the last one "
-                    "out, since a closed contour goes back to the first point by itself",
-                    points.size()));
-  }
-}
-
 void require_on_axis(const PlanePoint& point, std::string_view does, std::size_t index) {
   if (!point.u.is_zero()) {
     throw base::InputError(
@@ -49,8 +26,9 @@ void require_on_axis(const PlanePoint& point, std::string_view does, std::size_t
 }
 
 void require_points(const std::vector<PlanePoint>& points, bool closed) {
-  require_enough_points(points, closed);
-  require_unequal_neighbours(points, closed);
+  require_distinct_points(points.size(), closed, [&points](std::size_t i, std::size_t j) {
+    return points[i] == points[j];
+  });
   if (!closed) {
     require_on_axis(points.front(), "begins", 0);
     require_on_axis(points.back(), "ends", points.size() - 1);
@@ -73,31 +51,9 @@ std::vector<PlanePoint> continued(const std::vector<PlanePoint>& points, bool cl
   return result;
 }
 
-Coefficients line(const Rational& p, const Rational& next) { return {p, next - p}; }
-
-// The sum of (1-s)^3/6 p0, (3s^3-6s^2+4)/6 p1, (-3s^3+3s^2+3s+1)/6 p2 and s^3/6 p3.
-Coefficients b_spline(const Rational& p0, const Rational& p1, const Rational& p2,
-                      const Rational& p3) {
-  return {(p0 + 4 * p1 + p2) / 6, (p2 - p0) / 2, (p0 - 2 * p1 + p2) / 2,
-          (3 * (p1 - p2) + p3 - p0) / 6};
-}
-
-// From p1 to p2 with the derivatives (p2-p0)/2 and (p3-p1)/2.
-Coefficients catmull_rom(const Rational& p0, const Rational& p1, const Rational& p2,
-                         const Rational& p3) {
-  return {p1, (p2 - p0) / 2, (2 * p0 - 5 * p1 + 4 * p2 - p3) / 2, (3 * (p1 - p2) + p3 - p0) / 2};
-}
-
 ContourPiece piece_of(ContourKind kind, std::span<const PlanePoint, 4> p) {
-  switch (kind) {
-    case ContourKind::Line:
-      return {line(p[1].u, p[2].u), line(p[1].v, p[2].v)};
-    case ContourKind::BSpline:
-      return {b_spline(p[0].u, p[1].u, p[2].u, p[3].u), b_spline(p[0].v, p[1].v, p[2].v, p[3].v)};
-    case ContourKind::CatmullRom:
-      break;
-  }
-  return {catmull_rom(p[0].u, p[1].u, p[2].u, p[3].u), catmull_rom(p[0].v, p[1].v, p[2].v, p[3].v)};
+  return {spline_piece(kind, {p[0].u, p[1].u, p[2].u, p[3].u}),
+          spline_piece(kind, {p[0].v, p[1].v, p[2].v, p[3].v})};
 }
 
 std::vector<ContourPiece> pieces_of(const std::vector<PlanePoint>& points, ContourKind kind,
@@ -108,13 +64,6 @@ std::vector<ContourPiece> pieces_of(const std::vector<PlanePoint>& points, Conto
     pieces.push_back(piece_of(kind, std::span(all).subspan(i).first<4>()));
   }
   return pieces;
-}
-
-Coefficients bezier(const Coefficients& c) {
-  if (c.size() == 2) {
-    return {c[0], c[0] + c[1]};
-  }
-  return {c[0], c[0] + c[1] / 3, c[0] + (2 * c[1] + c[2]) / 3, c[0] + c[1] + c[2] + c[3]};
 }
 
 ControlPolygon control_polygon(const ContourPiece& piece) {
@@ -195,37 +144,6 @@ bool gets_negative(const Coefficients& c) {
 }
 
 }  // namespace
-
-Rational value_at(std::span<const Rational> ascending, const Rational& s) {
-  Rational sum = 0;
-  for (auto c = ascending.rbegin(); c != ascending.rend(); ++c) {
-    sum = sum * s + *c;
-  }
-  return sum;
-}
-
-std::string_view name_of(ContourKind kind) {
-  switch (kind) {
-    case ContourKind::Line:
-      return "line";
-    case ContourKind::BSpline:
-      return "bspline";
-    case ContourKind::CatmullRom:
-      break;
-  }
-  return "catmull_rom";
-}
-
-ContourKind parse_contour_kind(std::string_view name) {
-  for (const ContourKind kind :
-       {ContourKind::Line, ContourKind::BSpline, ContourKind::CatmullRom}) {
-    if (name_of(kind) == name) {
-      return kind;
-    }
-  }
-  throw base::InputError(
-      fmt::format("unknown kind of contour '{}': one of line, bspline, catmull_rom", name));
-}
 
 Contour::Contour(std::vector<PlanePoint> points, ContourKind kind, bool closed)
     : points_(std::move(points)), kind_(kind), closed_(closed) {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "geometry/spline.hpp"
 #include "number/rational.hpp"
 
 namespace lamina::geometry {
@@ -19,26 +19,11 @@ struct PlanePoint {
   friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
-/// What curve a polygon stands for (van Wijk 1984, section 2).
-enum class ContourKind : std::uint8_t {
-  Line,        ///< the polygon itself
-  BSpline,     ///< the uniform cubic B-spline: near the points, with second-order continuity
-  CatmullRom,  ///< the cubic Catmull-Rom spline: through the points, with first-order continuity
-};
-
-/// `line`, `bspline`, `catmull_rom`: what a scene calls them.
-std::string_view name_of(ContourKind kind);
-/// Throws base::InputError that lists them.
-ContourKind parse_contour_kind(std::string_view name);
-
 /// (u(s), v(s)) for 0 <= s < 1.
 struct ContourPiece {
   std::vector<number::Rational> u;  ///< coefficients of 1, s, s^2, s^3: two or four of them
   std::vector<number::Rational> v;  ///< as many
 };
-
-/// The value of a polynomial with these coefficients, ascending.
-number::Rational value_at(std::span<const number::Rational> ascending, const number::Rational& s);
 
 struct Rectangle {
   number::Rational u_min;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/contract.hpp"
+#include "surface/exact_line.hpp"
 
 namespace lamina::surface {
 namespace {
@@ -23,28 +24,9 @@ using number::IntegerPolynomial;
 using number::Rational;
 using number::Root;
 
-using Polynomial = std::vector<Rational>;  // ascending; leading zeros are allowed
-
-Polynomial multiply(const Polynomial& a, const Polynomial& b) {
-  if (a.empty() || b.empty()) {
-    return {};
-  }
-  Polynomial product(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      product[i + j] += a[i] * b[j];
-    }
-  }
-  return product;
-}
-
-// Adds factor * b to a.
-void add(Polynomial& a, const Polynomial& b, const Rational& factor = 1) {
-  a.resize(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    a[i] += factor * b[i];
-  }
-}
+using Polynomial = RationalPolynomial;
+using surface::add;  // beside those of InU
+using surface::multiply;
 
 Polynomial shifted(Polynomial p, const Rational& by) {
   p.front() += by;
@@ -328,13 +310,6 @@ bool is_near(const Candidate& candidate, const PlaneRay& ray, const Rectangle& b
          !misses(ray, {Rational(low), Rational(high)}, box);
 }
 
-// Doubles may not reach as far as a root.
-number::Enclosure bounds_of(const Root& root) {
-  return std::isfinite(root.lower()) && std::isfinite(root.upper())
-             ? number::Enclosure{Rational(root.lower()), Rational(root.upper())}
-             : enclosure(root, 1);
-}
-
 // Is the ray's point at this root in the rectangle? Exact.
 bool is_in(const PlaneRay& ray, const Root& t, const Rectangle& box) {
   const auto sign = [&t](const Polynomial& p) {
@@ -365,20 +340,6 @@ std::uint32_t crossed_piece(const PlaneRay& ray, const Contour& contour,
   return *found->piece;
 }
 
-// A rational between two different roots.
-Rational between(const Root& a, const Root& b) {
-  if (a.upper() < b.lower()) {
-    return (Rational(a.upper()) + Rational(b.lower())) / 2;
-  }
-  for (int bits = 64;; bits *= 2) {
-    const Rational low = enclosure(a, bits).upper;
-    const Rational high = enclosure(b, bits).lower;
-    if (low < high) {
-      return (low + high) / 2;
-    }
-  }
-}
-
 // A point of the (u, v) plane: v, and u or its square.
 struct PlanePlace {
   std::optional<Rational> u;
@@ -403,11 +364,6 @@ int side_in_u(const Rectangle& box, const PlanePlace& place) {
   const bool right = place.u ? box.u_min > *place.u : least_square(box) > place.u_squared;
   const bool left = place.u ? box.u_max < *place.u : box.u_max * box.u_max < place.u_squared;
   return right ? 1 : left ? -1 : 0;
-}
-
-// Of a polynomial that is not zero, for s just above 0: its first coefficient's that is not.
-int sign_after_zero(const Polynomial& p) {
-  return std::find_if(p.begin(), p.end(), [](const Rational& c) { return !c.is_zero(); })->sign();
 }
 
 // For s just below 1: just above 0 of the polynomial of 1 - s.
@@ -622,14 +578,6 @@ SweptSurface::Foot foot_of(const SweptSurface& surface, const PlanePlace& place)
   return best;
 }
 
-Rational slope_at(const Polynomial& p, const Rational& s) {
-  Polynomial slope;
-  for (std::size_t i = 1; i < p.size(); ++i) {
-    slope.push_back(static_cast<long>(i) * p[i]);
-  }
-  return value_at(slope, s);
-}
-
 }  // namespace
 
 std::string_view name_of(Sweep sweep) {
@@ -723,8 +671,8 @@ ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) co
   const Rational& s = foot.s;
   const ContourPiece& piece = contour_->pieces()[foot.piece];
   const int side = contour_->orientation();
-  const Rational n_u = side * slope_at(piece.v, s);
-  const Rational n_v = -side * slope_at(piece.u, s);
+  const Rational n_u = side * value_at(derivative(piece.v), s);
+  const Rational n_v = -side * value_at(derivative(piece.u), s);
   const Rational u = value_at(piece.u, s);
   const Rational v = value_at(piece.v, s);
   switch (sweep_) {
@@ -814,27 +762,14 @@ SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
 
   const auto side_at = [&](const Rational& t) { return side(local.origin + t * local.direction); };
   Crossings result;
-  int before = side_at(candidates.empty() ? Rational(0)
-                                          : Rational(bounds_of(candidates.front().t).lower - 1));
-  result.starts_inside = before < 0;
-  result.in_boundary = before == 0;
-  for (auto first = candidates.begin(); first != candidates.end() && !result.in_boundary;) {
-    const auto end = std::find_if(first, candidates.end(), [first](const Candidate& later) {
-      return compare(first->t, later.t) < 0;
-    });
-    const int after =
-        side_at(end == candidates.end() ? Rational(bounds_of(std::prev(end)->t).upper + 1)
-                                        : between(std::prev(end)->t, end->t));
-    result.in_boundary = after == 0;
-    if (after == -before) {
-      result.crossings.push_back({first->t, crossed_piece(ray, *contour_, {first, end})});
-    }
-    before = after;
-    first = end;
-  }
-  if (result.in_boundary) {
+  const LineStart start =
+      walk(std::span<const Candidate>(candidates), side_at, [&](std::span<const Candidate> equal) {
+        result.crossings.push_back({equal.front().t, crossed_piece(ray, *contour_, equal)});
+      });
+  if (start.in_boundary) {
     return {false, true, {}};
   }
+  result.starts_inside = start.inside;
   return result;
 }
 
