@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "geometry/arrangement.hpp"
@@ -349,11 +350,19 @@ class Surroundings {
   std::set<Medium> seen_;
 };
 
+// Are both the inside and the outside of a sweep next to this point of its surface, for certain?
+bool parts_space(const surface::PlacedSweep& sweep, const ExactPoint& point) {
+  const auto* sphere_sweep = std::get_if<surface::SphereSweep>(&sweep.surface);
+  // Near every point of a contour that does not touch itself is its inside and its outside.
+  return sphere_sweep == nullptr || sphere_sweep->has_one_foot(apply(sweep.to_local, point));
+}
+
 // Where a sweep that is curved there is among the carriers of the point.
-Location location_on_sweep(const LocalTree& tree) {
+Location location_on_sweep(const scene::Scene& scene, const ExactPoint& point,
+                           const LocalTree& tree) {
   Location location;
-  if (tree.carriers().size() == 1) {
-    // Near every point of a contour that does not touch itself is its inside and its outside.
+  const surface::Carrier& first = scene.carriers[tree.carriers().front()];
+  if (tree.carriers().size() == 1 && parts_space(*first.sweep, point)) {
     const Medium inside = tree.medium(std::array{-1});
     const Medium outside = tree.medium(std::array{1});
     location.boundary = (inside == kEmpty) != (outside == kEmpty);
@@ -374,7 +383,7 @@ Location locate_exact(const scene::Scene& scene, const ExactPoint& point) {
     return {.medium = tree.medium_if_closed()};
   }
   Surroundings surroundings(scene, point, tree);
-  return surroundings.known() ? surroundings.look() : location_on_sweep(tree);
+  return surroundings.known() ? surroundings.look() : location_on_sweep(scene, point, tree);
 }
 
 }  // namespace lamina::method

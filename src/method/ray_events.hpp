@@ -11,6 +11,7 @@
 #include "poly/solver.hpp"
 #include "scene/rounding.hpp"
 #include "surface/carrier.hpp"
+#include "surface/rounded_sphere_sweep.hpp"
 #include "surface/rounded_surface.hpp"
 #include "surface/rounded_sweep.hpp"
 
@@ -32,7 +33,7 @@ template <number::RealNumber Number>
 class RayEvents {
  public:
   using Root = typename number::number_traits<Number>::Root;
-  /// Where on its contour a sweep is crossed; nothing of other surfaces.
+  /// Where on its contour or trajectory a sweep is crossed; nothing of other surfaces.
   using Place = typename surface::RoundedSweep<Number>::Crossing;
 
   RayEvents(const scene::Scene& scene, const poly::Solvers& solvers);
@@ -87,24 +88,28 @@ class RayEvents {
   /// n counts the roundings on the way from the scene's numbers to f (Higham 2002, 3.1). The form
   /// is that of pbrt 4e, 6.8; it takes the residual |f| where pbrt first moves the point onto
   /// the surface. Of the three F's, one is for f at the point, one for f where the ray starts, and
-  /// one for rounding that start. Of a sweep, f is that of the tangent plane at the place.
+  /// one for rounding that start. Of a sweep, f is that of the tangent plane at the place, or of
+  /// the ball there.
   [[nodiscard]] Number distance_bound(csg::LeafIndex leaf, const geometry::Vector3<Number>& point,
                                       const Place& place) const;
 
  private:
   struct LeafData {
     std::uint32_t frame;
-    std::variant<surface::RoundedSurface<Number>, surface::RoundedSweep<Number>> surface;
+    std::variant<surface::RoundedSurface<Number>, surface::RoundedSweep<Number>,
+                 surface::RoundedSphereSweep<Number>>
+        surface;
   };
 
   [[nodiscard]] bool is_sweep(csg::LeafIndex leaf) const {
-    return leaves_[leaf].surface.index() == 1;
+    return !std::holds_alternative<surface::RoundedSurface<Number>>(leaves_[leaf].surface);
   }
   void add_crossing(csg::LeafIndex leaf, std::size_t index, const Number& t, bool enters,
                     const geometry::Vector3<Number>& local_gradient);
-  void find_on_surface(csg::LeafIndex leaf, const surface::RoundedSurface<Number>& surface,
-                       bool is_left);
-  void find_on_sweep(csg::LeafIndex leaf, const surface::RoundedSweep<Number>& sweep, bool is_left);
+  void find_on(csg::LeafIndex leaf, const surface::RoundedSurface<Number>& surface, bool is_left);
+  // A sweep of either kind.
+  template <typename Sweep>
+  void find_on(csg::LeafIndex leaf, const Sweep& sweep, bool is_left);
 
   const scene::Scene* scene_;
   poly::Solvers solvers_;

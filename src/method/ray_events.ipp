@@ -1,11 +1,31 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "method/ray_events.hpp"
 
 namespace lamina::method {
+namespace detail {
+
+// What one function makes of a surface that has an f, or the other of a sweep of any kind.
+template <typename Number, typename... Sweep, typename OfSurface, typename OfSweep>
+auto on_surface_or_sweep(const std::variant<surface::RoundedSurface<Number>, Sweep...>& either,
+                         const OfSurface& of_surface, const OfSweep& of_sweep) {
+  return std::visit(
+      [&](const auto& surface) {
+        if constexpr (std::is_same_v<decltype(surface), const surface::RoundedSurface<Number>&>) {
+          return of_surface(surface);
+        } else {
+          return of_sweep(surface);
+        }
+      },
+      either);
+}
+
+}  // namespace detail
 
 template <number::RealNumber Number>
 RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& solvers)
@@ -16,13 +36,17 @@ RayEvents<Number>::RayEvents(const scene::Scene& scene, const poly::Solvers& sol
     frames_.emplace_back(scene::inverse_of_rounded_placement(frame, scene::rounding<Number>));
   }
   for (const scene::Leaf& leaf : scene.leaves) {
-    if (leaf.surface.sweep) {
-      // Its pieces follow exactly from the points as this type holds them.
-      const auto held = scene::rounded_surface(leaf.surface, scene::rounding<Number>);
-      leaves_.push_back(
-          {leaf.frame, surface::RoundedSweep<Number>(held ? *held->sweep : *leaf.surface.sweep)});
-    } else {
+    if (leaf.surface.kind != surface::Kind::Sweep) {
       leaves_.push_back({leaf.frame, surface::RoundedSurface<Number>(leaf.surface)});
+      continue;
+    }
+    // Its pieces follow exactly from the points as this type holds them.
+    const surface::LocalSurface held =
+        scene::rounded_surface(leaf.surface, scene::rounding<Number>).value_or(leaf.surface);
+    if (held.sweep) {
+      leaves_.push_back({leaf.frame, surface::RoundedSweep<Number>(*held.sweep)});
+    } else {
+      leaves_.push_back({leaf.frame, surface::RoundedSphereSweep<Number>(*held.sphere_sweep)});
     }
   }
   places_.resize(leaves_.size());
@@ -47,12 +71,8 @@ void RayEvents<Number>::find(const geometry::Ray<Number>& ray,
   crossings_.clear();
   for (csg::LeafIndex leaf = 0; leaf < leaves_.size(); ++leaf) {
     const bool is_left = std::find(left.begin(), left.end(), leaf) != left.end();
-    const auto& surface = leaves_[leaf].surface;
-    if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&surface)) {
-      find_on_sweep(leaf, *sweep, is_left);
-    } else {
-      find_on_surface(leaf, *std::get_if<surface::RoundedSurface<Number>>(&surface), is_left);
-    }
+    std::visit([&](const auto& surface) { find_on(leaf, surface, is_left); },
+               leaves_[leaf].surface);
   }
   std::sort(crossings_.begin(), crossings_.end(),
             [](const Crossing<Number>& a, const Crossing<Number>& b) {
@@ -70,9 +90,8 @@ void RayEvents<Number>::add_crossing(csg::LeafIndex leaf, std::size_t index, con
 }
 
 template <number::RealNumber Number>
-void RayEvents<Number>::find_on_surface(csg::LeafIndex leaf,
-                                        const surface::RoundedSurface<Number>& surface,
-                                        bool is_left) {
+void RayEvents<Number>::find_on(csg::LeafIndex leaf, const surface::RoundedSurface<Number>& surface,
+                                bool is_left) {
   const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
   auto found = surface.crossings(local, solvers_, is_left);
   spoil(found.roots, solvers_.fault, leaf);
@@ -88,8 +107,8 @@ void RayEvents<Number>::find_on_surface(csg::LeafIndex leaf,
 }
 
 template <number::RealNumber Number>
-void RayEvents<Number>::find_on_sweep(csg::LeafIndex leaf,
-                                      const surface::RoundedSweep<Number>& sweep, bool is_left) {
+template <typename Sweep>
+void RayEvents<Number>::find_on(csg::LeafIndex leaf, const Sweep& sweep, bool is_left) {
   using std::abs;
   const geometry::Ray<Number>& local = local_rays_[leaves_[leaf].frame];
   std::vector<Place>& places = places_[leaf];
@@ -142,10 +161,9 @@ template <number::RealNumber Number>
 bool RayEvents<Number>::inside(csg::LeafIndex leaf, const geometry::Vector3<Number>& world) const {
   const LeafData& data = leaves_[leaf];
   const geometry::Vector3<Number> local = frames_[data.frame].point(world);
-  if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface)) {
-    return sweep->side(local, solvers_, scratch_) <= 0;
-  }
-  return std::get_if<surface::RoundedSurface<Number>>(&data.surface)->inside(local);
+  return detail::on_surface_or_sweep(
+      data.surface, [&](const auto& surface) { return surface.inside(local); },
+      [&](const auto& sweep) { return sweep.side(local, solvers_, scratch_) <= 0; });
 }
 
 template <number::RealNumber Number>
@@ -155,11 +173,9 @@ geometry::Vector3<Number> RayEvents<Number>::gradient(csg::LeafIndex leaf,
   const LeafData& data = leaves_[leaf];
   const surface::RoundedMap<Number>& frame = frames_[data.frame];
   const geometry::Vector3<Number> local = frame.point(point);
-  if (const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface)) {
-    return frame.gradient_to_world(sweep->normal(local, place));
-  }
-  return frame.gradient_to_world(
-      std::get_if<surface::RoundedSurface<Number>>(&data.surface)->gradient(local));
+  return frame.gradient_to_world(detail::on_surface_or_sweep(
+      data.surface, [&](const auto& surface) { return surface.gradient(local); },
+      [&](const auto& sweep) { return sweep.normal(local, place); }));
 }
 
 template <number::RealNumber Number>
@@ -173,12 +189,15 @@ Number RayEvents<Number>::distance_bound(csg::LeafIndex leaf,
   const geometry::Vector3<Number> across = gradient(leaf, point, place);
   const geometry::Vector3<Number> local = frame.point(point);
   const geometry::Vector3<Number> magnitude = frame.magnitude(point);
-  const auto* sweep = std::get_if<surface::RoundedSweep<Number>>(&data.surface);
-  const auto* surface = std::get_if<surface::RoundedSurface<Number>>(&data.surface);
-  const Number value = sweep != nullptr ? sweep->value(local, place) : surface->value(local);
-  const Number error = sweep != nullptr ? sweep->rounding_error(magnitude, place)
-                                        : surface->rounding_error(magnitude);
-  return (abs(value) + 3 * error) / sqrt(dot(across, across));
+  const Number off = detail::on_surface_or_sweep(
+      data.surface,
+      [&](const auto& surface) -> Number {
+        return abs(surface.value(local)) + 3 * surface.rounding_error(magnitude);
+      },
+      [&](const auto& sweep) -> Number {
+        return abs(sweep.value(local, place)) + 3 * sweep.rounding_error(magnitude, place);
+      });
+  return off / sqrt(dot(across, across));
 }
 
 }  // namespace lamina::method

@@ -51,6 +51,32 @@ bool place_carriers(Scene& scene) {
   return true;
 }
 
+std::optional<surface::LocalSurface> rounded_sphere_sweep(const surface::SphereSweep& sweep,
+                                                          const Rounding& round) {
+  const geometry::Trajectory& trajectory = sweep.trajectory();
+  std::vector<geometry::ExactPoint> points;
+  for (const geometry::ExactPoint& p : trajectory.points()) {
+    const auto x = round(p.x);
+    const auto y = round(p.y);
+    const auto z = round(p.z);
+    if (!x || !y || !z) {
+      return std::nullopt;
+    }
+    points.push_back({*x, *y, *z});
+  }
+  const auto radius = round(sweep.radius());
+  if (!radius) {
+    return std::nullopt;
+  }
+  try {
+    return surface::swept(surface::SphereSweep(
+        *radius, std::make_shared<const geometry::Trajectory>(std::move(points), trajectory.kind(),
+                                                              trajectory.closed())));
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 AffineMap inverse_of_rounded_placement(const AffineMap& frame, const Rounding& round) {
@@ -60,6 +86,9 @@ AffineMap inverse_of_rounded_placement(const AffineMap& frame, const Rounding& r
 
 std::optional<surface::LocalSurface> rounded_surface(const surface::LocalSurface& surface,
                                                      const Rounding& round) {
+  if (surface.sphere_sweep) {
+    return rounded_sphere_sweep(*surface.sphere_sweep, round);
+  }
   if (surface.sweep) {
     const geometry::Contour& contour = surface.sweep->contour();
     std::vector<geometry::PlanePoint> points;

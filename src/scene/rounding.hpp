@@ -30,8 +30,9 @@ std::optional<number::Rational> rounding(const number::Rational& value) {
 geometry::AffineMap inverse_of_rounded_placement(const geometry::AffineMap& frame,
                                                  const Rounding& round);
 
-/// Returns a surface with its coefficients, or its contour's points, rounded once each. Nothing
-/// where one overflows, or where a sweep has no contour any more: it crosses or touches itself.
+/// Returns a surface with its coefficients, or its contour's or trajectory's points, and the radius
+/// of what is moved along that, rounded once each. Nothing where one overflows, or where a sweep
+/// has no contour any more: it crosses or touches itself, or two points in a row are equal.
 std::optional<surface::LocalSurface> rounded_surface(const surface::LocalSurface& surface,
                                                      const Rounding& round);
 

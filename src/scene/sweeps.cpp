@@ -29,6 +29,10 @@ const Signature kContour{
     R"(contour([[u, v], ...], kind = "line" | "bspline" | "catmull_rom", closed = true))",
     {"points", "kind", "closed"},
     1};
+const Signature kTrajectory{
+    R"(contour([[x, y, z], ...], kind = "line" | "bspline" | "catmull_rom", closed = true))",
+    {"points", "kind", "closed"},
+    1};
 const Signature kPolygon{
     "polygon(points = [[x, y], ...], paths = [[0, 1, ...]])", {"points", "paths", "convexity"}, 1};
 const Signature kSquare{"square(size = [x, y], center = false)", {"size", "center"}};
@@ -59,10 +63,13 @@ struct Statement {
   bool closed = true;
 };
 
+ContourKind kind_of(const Arguments& arguments) {
+  return at(arguments,
+            [&] { return geometry::parse_contour_kind(arguments.text("kind").value_or("line")); });
+}
+
 Statement contour(const Arguments& arguments) {
-  return {plane_points(*arguments.matrix("points", 2)),
-          at(arguments,
-             [&] { return geometry::parse_contour_kind(arguments.text("kind").value_or("line")); }),
+  return {plane_points(*arguments.matrix("points", 2)), kind_of(arguments),
           arguments.boolean("closed").value_or(true)};
 }
 
@@ -294,6 +301,22 @@ Solid cone_stack(const Arguments& arguments, const PlaneFigure& figure) {
   });
 }
 
+Solid sphere_sweep(const Arguments& arguments, const PlaneFigure& figure) {
+  const Rational radius = *arguments.number("r");
+  const auto trajectory = figure.trajectory();
+  surface::LocalSurface side =
+      at(arguments, [&] { return surface::swept(surface::SphereSweep(radius, trajectory)); });
+  geometry::Box box = trajectory->boxes().front();
+  for (const auto& [lower, upper] : trajectory->boxes()) {
+    box = {{std::min(box.lower.x, lower.x), std::min(box.lower.y, lower.y),
+            std::min(box.lower.z, lower.z)},
+           {std::max(box.upper.x, upper.x), std::max(box.upper.y, upper.y),
+            std::max(box.upper.z, upper.z)}};
+  }
+  const geometry::ExactPoint reach{radius, radius, radius};
+  return {.parts = {{"", std::move(side)}}, .box = Bounds{box.lower - reach, box.upper + reach}};
+}
+
 const std::array kSweeps{
     SweepNode{"translational_sweep",
               {"translational_sweep(capped = true) contour(...);", {}, 0, {"capped"}},
@@ -307,6 +330,9 @@ const std::array kSweeps{
                2},
               generalised_conic},
     SweepNode{"rotational_sweep", {"rotational_sweep() contour(...);"}, rotational},
+    SweepNode{"sphere_sweep",
+              {"sphere_sweep(r = number) contour([[x, y, z], ...]);", {"r"}, 1},
+              sphere_sweep},
     SweepNode{"conic_spline_sweep",
               {"conic_spline_sweep(arcs = [[point, radius, tangent of half the angle], ...], "
                "slopes = [[point, d(u^2)/dv], ...]) contour([[u, v], ...]);",
@@ -365,6 +391,23 @@ std::vector<PlanePoint> PlaneFigure::points() const {
     }
   }
   return figure.read(arguments).points;
+}
+
+std::shared_ptr<const geometry::Trajectory> PlaneFigure::trajectory() const {
+  if (node_.name != "contour") {
+    source_.fail(node_.offset,
+                 fmt::format("`{}`: this sweep takes a contour of points in space", node_.name));
+  }
+  const Arguments arguments(source_, node_, kTrajectory);
+  std::vector<geometry::ExactPoint> points;
+  const Rows rows = *arguments.matrix("points", 3);
+  for (const std::vector<Rational>& row : rows) {
+    points.push_back({row[0], row[1], row[2]});
+  }
+  return at(arguments, [&] {
+    return std::make_shared<const geometry::Trajectory>(std::move(points), kind_of(arguments),
+                                                        arguments.boolean("closed").value_or(true));
+  });
 }
 
 const SweepNode* find_sweep(std::string_view name) {

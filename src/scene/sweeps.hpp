@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/contour.hpp"
+#include "geometry/trajectory.hpp"
 #include "scene/arguments.hpp"
 #include "scene/solid.hpp"
 
@@ -26,6 +27,9 @@ class PlaneFigure {
   [[nodiscard]] std::shared_ptr<const geometry::Contour> contour() const;
   /// For what makes a curve of its own of them: the figure must not state a kind.
   [[nodiscard]] std::vector<geometry::PlanePoint> points() const;
+  /// For what goes through space: the figure must be a `contour`, whose points have three
+  /// coordinates then.
+  [[nodiscard]] std::shared_ptr<const geometry::Trajectory> trajectory() const;
 
  private:
   const Source& source_;

@@ -54,15 +54,20 @@ std::optional<Rational> positive_root(const Rational& square) {
   return root * root == square ? std::optional(root) : std::nullopt;
 }
 
+Node contour_node(Value::List points, geometry::ContourKind kind, bool closed) {
+  Node result = node("contour", {Value{0, std::move(points)}});
+  result.arguments.push_back({0, "kind", Value{0, std::string(name_of(kind))}});
+  result.arguments.push_back({0, "closed", Value{0, closed}});
+  return result;
+}
+
 Node sweep(const surface::SweptSurface& surface) {
   const geometry::Contour& contour = surface.contour();
   Value::List points;
   for (const geometry::PlanePoint& p : contour.points()) {
     points.push_back(list({p.u, p.v}));
   }
-  Node child = node("contour", {Value{0, std::move(points)}});
-  child.arguments.push_back({0, "kind", Value{0, std::string(name_of(contour.kind()))}});
-  child.arguments.push_back({0, "closed", Value{0, contour.closed()}});
+  Node child = contour_node(std::move(points), contour.kind(), contour.closed());
   Node result = node(std::string(name_of(surface.sweep())), {});
   if (surface.sweep() == surface::Sweep::GeneralisedConic) {
     result.arguments.push_back({0, "x", list(surface.scaling().x)});
@@ -75,6 +80,18 @@ Node sweep(const surface::SweptSurface& surface) {
   return result;
 }
 
+Node sweep(const surface::SphereSweep& surface) {
+  const geometry::Trajectory& trajectory = surface.trajectory();
+  Value::List points;
+  for (const ExactPoint& p : trajectory.points()) {
+    points.push_back(vector(p));
+  }
+  Node result = node("sphere_sweep", {Value{0, surface.radius()}});
+  result.children.push_back(
+      contour_node(std::move(points), trajectory.kind(), trajectory.closed()));
+  return result;
+}
+
 // The primitive that reads back as the very same surface.
 Node half_space(const LocalSurface& surface) {
   const auto& c = surface.coefficients;
@@ -84,7 +101,7 @@ Node half_space(const LocalSurface& surface) {
     case Kind::Torus:
       return node("torus", {Value{0, c[0]}, Value{0, c[1]}});
     case Kind::Sweep:
-      return sweep(*surface.sweep);
+      return surface.sweep ? sweep(*surface.sweep) : sweep(*surface.sphere_sweep);
     case Kind::Quadric:
       break;
   }

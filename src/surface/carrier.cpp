@@ -206,7 +206,9 @@ std::strong_ordering operator<=>(const Carrier& a, const Carrier& b) {
 
 OrientedCarrier carrier_of(const LocalSurface& surface, const AffineMap& to_local) {
   if (surface.kind == Kind::Sweep) {
-    return {{0, {}, std::make_shared<const PlacedSweep>(PlacedSweep{*surface.sweep, to_local})}, 1};
+    const PlacedSweep placed = surface.sweep ? PlacedSweep{*surface.sweep, to_local}
+                                             : PlacedSweep{*surface.sphere_sweep, to_local};
+    return {{0, {}, std::make_shared<const PlacedSweep>(placed)}, 1};
   }
   Form form = world_form(surface, to_local);
   const int written_degree = surface.kind == Kind::Plane     ? 1
@@ -306,12 +308,25 @@ std::vector<Interval> EnclosedRayMonomials::restrict(const Carrier& carrier) {
 
 CarrierOnRay::CarrierOnRay(const Carrier& carrier, const ExactRay& ray, RayMonomials& monomials) {
   if (carrier.sweep) {
-    const AffineMap& map = carrier.sweep->to_local;
-    swept_ = carrier.sweep->surface.crossings(
-        {apply(map, ray.origin), apply_to_direction(map, ray.direction)});
+    swept_ = on_sweep(*carrier.sweep, ray);
   } else {
     polynomial_ = monomials.restrict(carrier);
   }
+}
+
+CarrierOnRay::OnSweep CarrierOnRay::on_sweep(const PlacedSweep& sweep, const ExactRay& ray) {
+  const ExactRay local{apply(sweep.to_local, ray.origin),
+                       apply_to_direction(sweep.to_local, ray.direction)};
+  if (const auto* sphere_sweep = std::get_if<SphereSweep>(&sweep.surface)) {
+    auto [in_boundary, t] = sphere_sweep->crossings(local);
+    return {false, in_boundary, std::move(t)};
+  }
+  const auto found = std::get<SweptSurface>(sweep.surface).crossings(local);
+  OnSweep result{found.starts_inside, found.in_boundary, {}};
+  for (const SweptSurface::Crossing& crossing : found.crossings) {
+    result.crossings.push_back(crossing.t);
+  }
+  return result;
 }
 
 bool CarrierOnRay::contains_ray() const {
@@ -326,14 +341,11 @@ int CarrierOnRay::sign_at_minus_infinity() const {
 }
 
 std::vector<Root> CarrierOnRay::crossings() const {
-  std::vector<Root> roots;
   if (swept_) {
-    std::transform(swept_->crossings.begin(), swept_->crossings.end(), std::back_inserter(roots),
-                   [](const SweptSurface::Crossing& crossing) { return crossing.t; });
-  } else {
-    roots = number::real_roots(polynomial_);
-    std::erase_if(roots, [](const Root& root) { return root.multiplicity() % 2 == 0; });
+    return swept_->crossings;
   }
+  std::vector<Root> roots = number::real_roots(polynomial_);
+  std::erase_if(roots, [](const Root& root) { return root.multiplicity() % 2 == 0; });
   return roots;
 }
 
@@ -351,8 +363,8 @@ int CarrierOnRay::sign_at(const Root& t) const {
     return number::sign_at(polynomial_, t);
   }
   int sign = sign_at_minus_infinity();
-  for (const SweptSurface::Crossing& crossing : swept_->crossings) {
-    const auto order = compare(crossing.t, t);
+  for (const Root& crossing : swept_->crossings) {
+    const auto order = compare(crossing, t);
     if (order >= 0) {
       return order == 0 ? 0 : sign;
     }
@@ -363,7 +375,9 @@ int CarrierOnRay::sign_at(const Root& t) const {
 
 int sign_at(const Carrier& carrier, const ExactPoint& point) {
   if (carrier.sweep) {
-    return carrier.sweep->surface.side(apply(carrier.sweep->to_local, point));
+    return std::visit([local = apply(carrier.sweep->to_local, point)](
+                          const auto& sweep) { return sweep.side(local); },
+                      carrier.sweep->surface);
   }
   const ExactPoint nowhere{0, 0, 0};
   const IntegerPolynomial value = RayMonomials({point, nowhere}).restrict(carrier);
@@ -373,7 +387,9 @@ int sign_at(const Carrier& carrier, const ExactPoint& point) {
 ExactPoint gradient_at(const Carrier& carrier, const ExactPoint& point) {
   if (carrier.sweep) {
     const AffineMap& map = carrier.sweep->to_local;
-    return to_world(map, carrier.sweep->surface.normal_near(apply(map, point)));
+    return std::visit([&map, local = apply(map, point)](
+                          const auto& sweep) { return to_world(map, sweep.normal_near(local)); },
+                      carrier.sweep->surface);
   }
   const auto slope = [&](const ExactPoint& axis) {
     const IntegerPolynomial along = RayMonomials({point, axis}).restrict(carrier);
@@ -383,7 +399,9 @@ ExactPoint gradient_at(const Carrier& carrier, const ExactPoint& point) {
 }
 
 std::optional<SweptSurface::Facets> facets_at(const PlacedSweep& sweep, const ExactPoint& point) {
-  auto facets = sweep.surface.facets(apply(sweep.to_local, point));
+  auto facets = std::visit(
+      [local = apply(sweep.to_local, point)](const auto& surface) { return surface.facets(local); },
+      sweep.surface);
   if (facets) {
     for (ExactPoint& normal : facets->normals) {
       normal = to_world(sweep.to_local, normal);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "geometry/affine.hpp"
@@ -17,9 +18,9 @@ namespace lamina::surface {
 
 using CarrierIndex = std::uint32_t;
 
-/// A swept contour and its place: points p of the world are at to_local(p).
+/// A sweep and its place: points p of the world are at to_local(p).
 struct PlacedSweep {
-  SweptSurface surface;
+  std::variant<SweptSurface, SphereSweep> surface;
   geometry::AffineMap to_local;
 };
 
@@ -119,18 +120,25 @@ class CarrierOnRay {
   [[nodiscard]] int sign_at(const number::Root& t) const;
 
  private:
+  struct OnSweep {
+    bool starts_inside = false;
+    bool in_boundary = false;
+    std::vector<number::Root> crossings;
+  };
+  static OnSweep on_sweep(const PlacedSweep& sweep, const geometry::ExactRay& ray);
+
   number::IntegerPolynomial polynomial_;  // of all but a sweep
-  std::optional<SweptSurface::Crossings> swept_;
+  std::optional<OnSweep> swept_;
 };
 
 /// Exact sign of the carrier's f at a point: -1, 0 or 1.
 int sign_at(const Carrier& carrier, const geometry::ExactPoint& point);
 
-/// The gradient of f at a point times a positive constant: its direction, exact. Of a sweep: as
-/// SweptSurface::normal_near has it.
+/// The gradient of f at a point times a positive constant: its direction, exact. Of a sweep: as its
+/// normal_near has it.
 geometry::ExactPoint gradient_at(const Carrier& carrier, const geometry::ExactPoint& point);
 
-/// SweptSurface::facets in world coordinates.
+/// The sweep's facets in world coordinates.
 std::optional<SweptSurface::Facets> facets_at(const PlacedSweep& sweep,
                                               const geometry::ExactPoint& point);
 

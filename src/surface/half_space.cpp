@@ -7,9 +7,9 @@ namespace lamina::surface {
 using number::Rational;
 
 bool operator==(const LocalSurface& a, const LocalSurface& b) {
-  const bool equal_sweeps =
-      a.sweep == b.sweep || (a.sweep && b.sweep && (*a.sweep <=> *b.sweep) == 0);
-  return a.kind == b.kind && a.coefficients == b.coefficients && equal_sweeps;
+  const auto equal = [](const auto& x, const auto& y) { return x == y || (x && y && *x == *y); };
+  return a.kind == b.kind && a.coefficients == b.coefficients && equal(a.sweep, b.sweep) &&
+         equal(a.sphere_sweep, b.sphere_sweep);
 }
 
 LocalSurface plane(const geometry::ExactPoint& normal, const Rational& offset) {
@@ -41,6 +41,10 @@ LocalSurface torus(const Rational& major, const Rational& minor) {
 
 LocalSurface swept(SweptSurface sweep) {
   return {Kind::Sweep, {}, std::make_shared<const SweptSurface>(std::move(sweep))};
+}
+
+LocalSurface swept(SphereSweep sweep) {
+  return {Kind::Sweep, {}, nullptr, std::make_shared<const SphereSweep>(std::move(sweep))};
 }
 
 }  // namespace lamina::surface

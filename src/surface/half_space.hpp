@@ -7,6 +7,7 @@
 
 #include "geometry/affine.hpp"
 #include "number/rational.hpp"
+#include "surface/sphere_sweep.hpp"
 #include "surface/swept_surface.hpp"
 
 namespace lamina::surface {
@@ -17,13 +18,15 @@ enum class Kind : std::uint8_t { Plane, Quadric, Torus, Sweep };
 ///   Plane    nx, ny, nz, c                      f = n.p + c
 ///   Quadric  xx, yy, zz, xy, xz, yz, x, y, z, 1 f = sum of coefficient * monomial
 ///   Torus    R, r                               f = (p.p + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2)
-///   Sweep    none: its pieces have no f in common; `sweep` says which points are inside
+///   Sweep    none: its pieces have no f in common; `sweep` or `sphere_sweep` says which points
+///            are inside
 /// The torus has the z axis. Where r > R the lens around the origin has f > 0 too: it is
 /// outside, as the sign of f says.
 struct LocalSurface {
   Kind kind = Kind::Plane;
   std::array<number::Rational, 10> coefficients{};
-  std::shared_ptr<const SweptSurface> sweep{};  ///< null but for Kind::Sweep
+  std::shared_ptr<const SweptSurface> sweep{};        ///< of Kind::Sweep: this,
+  std::shared_ptr<const SphereSweep> sphere_sweep{};  ///< or this; else null
 
   friend bool operator==(const LocalSurface& a, const LocalSurface& b);
 };
@@ -38,5 +41,6 @@ LocalSurface infinite_cone(const number::Rational& slope, const number::Rational
 LocalSurface quadric(const std::array<std::array<number::Rational, 4>, 4>& matrix);
 LocalSurface torus(const number::Rational& major, const number::Rational& minor);
 LocalSurface swept(SweptSurface sweep);
+LocalSurface swept(SphereSweep sweep);
 
 }  // namespace lamina::surface

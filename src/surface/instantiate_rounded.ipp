@@ -4,6 +4,7 @@
 
 #include "surface/generalised_conic.ipp"
 #include "surface/parity_trimming.ipp"
+#include "surface/rounded_sphere_sweep.ipp"
 #include "surface/rounded_surface.ipp"
 #include "surface/rounded_sweep.ipp"
 
@@ -11,5 +12,6 @@
   template class RoundedMap<Number>;                                                      \
   template class RoundedSurface<Number>;                                                  \
   template class RoundedSweep<Number>;                                                    \
+  template class RoundedSphereSweep<Number>;                                              \
   template void trim_by_parity(const RoundedSweep<Number>&, const geometry::Ray<Number>&, \
                                std::vector<RoundedSweep<Number>::Crossing>&);

@@ -104,6 +104,7 @@ class SweptSurface {
   [[nodiscard]] const geometry::Contour& contour() const { return *contour_; }
 
   /// Equal if the sweeps are, and the contours by their points, which must begin at the same one.
+  friend bool operator==(const SweptSurface& a, const SweptSurface& b) { return (a <=> b) == 0; }
   friend std::strong_ordering operator<=>(const SweptSurface& a, const SweptSurface& b);
 
  private:

@@ -134,6 +134,16 @@ TEST(LocateTest, TouchingSpheres) {
 
 // Three tangent planes meet in the z axis; only the curvature of the third surface leaves
 // room between them: x > 0, y > 0, x + y < z^2.
+TEST(LocateTest, SphereSweepsAreOpenWhereOneOfTheirBallsEnds) {
+  const scene::Scene scene = scene_of(
+      R"(material("m") sphere_sweep(1) contour([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]);)");
+  EXPECT_EQ(place(scene, {0, -1, 0}), "m");
+  EXPECT_EQ(place(scene, {0, -1, 1}), "boundary");
+  // As far from all four sides: whether the hole is closed here, one ball does not tell.
+  EXPECT_EQ(place(scene, {0, 0, 0}), "m?");
+  EXPECT_EQ(place(scene, {0, 0, 1}), "-");
+}
+
 TEST(LocateTest, CellsThatNoTangentPlaneShows) {
   const scene::Scene scene = scene_of(R"(material("m") intersection() {
     halfspace([-1, 0, 0], 0);

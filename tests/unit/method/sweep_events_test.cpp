@@ -81,6 +81,15 @@ TEST(SweepEventsTest, AFlatTopIsEnteredAndLeftOnItsAxis) {
   EXPECT_EQ(report.inconsistent, 0U);
 }
 
+TEST(SweepEventsTest, ABallAlongALineIsEnteredAndLeft) {
+  const std::string capsule = "sphere_sweep(1) contour([[0, 0, 0], [4, 0, 0]], closed=false);";
+  expect_seen(capsule, "-5 0 0 1 0 0", {false, false, {4, 10}});
+  expect_seen("difference() {" + capsule + "sphere(1); }", "-5 0 0 1 0 0", {false, false, {6, 10}});
+  // Along its wall, and touching it.
+  expect_seen(capsule, "-5 0 1 1 0 0", {true, false, {}});
+  expect_seen(capsule, "2 -5 1 0 1 0", {false, false, {}});
+}
+
 TEST(SweepEventsTest, NumbersBeyondTheRangeBreakNothing) {
   const scene::Scene scene =
       support::scene_of("translational_sweep() contour([[0, 0], [1e39, 0], [0, 1e39]]);");

@@ -83,6 +83,22 @@ TEST(RoundingTest, ExactNumbersKeepEveryScene) {
   }
 }
 
+TEST(RoundingTest, OfASphereSweepThePointsAndTheRadiusAreRounded) {
+  const Scene scene = scene_of(
+      "sphere_sweep(1/3) contour([[0, 1/3, 0], [2, 0, 0], [2, 0, 1/5]], kind=\"bspline\");");
+  const auto held = rounded_surface(scene.leaves[0].surface, rounding<float>);
+  ASSERT_TRUE(held);
+  EXPECT_EQ(held->sphere_sweep->radius(), Rational(11184811, 33554432));
+  EXPECT_EQ(held->sphere_sweep->trajectory().points()[0].y, Rational(11184811, 33554432));
+  EXPECT_EQ(held->sphere_sweep->trajectory().points()[1].x, 2);
+  EXPECT_EQ(held->sphere_sweep->trajectory().kind(), geometry::ContourKind::BSpline);
+  const auto far = scene_of("sphere_sweep(1) contour([[1e39, 0, 0], [2, 0, 0]], closed=false);");
+  EXPECT_FALSE(rounded_surface(far.leaves[0].surface, rounding<float>));
+  const auto one =
+      scene_of("sphere_sweep(1) contour([[1, 0, 0], [1.000000001, 0, 0]], closed=false);");
+  EXPECT_FALSE(rounded_surface(one.leaves[0].surface, rounding<float>));
+}
+
 TEST(RoundingTest, LeavesThatAreRoundedApartGetTheirOwnCarriers) {
   const Scene scene =
       scene_of("translate([0, 0, 1/3]) halfspace([0, 0, 1], 4); halfspace([0, 0, -1], -13/3);");

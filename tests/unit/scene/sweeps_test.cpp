@@ -140,6 +140,55 @@ TEST(SweepNodeTest, EachReadsBackFromItsText) {
   }
 }
 
+TEST(SphereSweepNodeTest, StatesOneHalfSpaceAndItsBounds) {
+  const Scene scene = scene_of(
+      "sphere_sweep(1/4) contour([[0, 0, 0], [2, 0, 0], [2, 3, 1]], kind=\"catmull_rom\", "
+      "closed=false);");
+  ASSERT_EQ(scene.leaves.size(), 1U);
+  EXPECT_EQ(scene.leaves[0].path, "sphere_sweep");
+  const surface::SphereSweep& sweep = *scene.leaves[0].surface.sphere_sweep;
+  EXPECT_EQ(sweep.radius(), Rational(1, 4));
+  EXPECT_EQ(sweep.trajectory().kind(), ContourKind::CatmullRom);
+  EXPECT_FALSE(sweep.trajectory().closed());
+  EXPECT_LE(scene.bounds->lower.x, Rational(-1, 4));
+  EXPECT_GE(scene.bounds->upper.y, Rational(13, 4));
+  // In one place they share a carrier.
+  const std::string text = "sphere_sweep(r=1) contour([[0, 0, 0], [2, 0, 0], [2, 3, 1]]);";
+  const Scene two = scene_of(text + text + "translate([1, 0, 0]) " + text + "scale(1) sphere(1);");
+  EXPECT_EQ(two.leaves[0].carrier, two.leaves[1].carrier);
+  EXPECT_EQ(two.carriers.size(), 3U);
+  EXPECT_TRUE(two.leaves[0].surface == two.leaves[1].surface);
+}
+
+TEST(SphereSweepNodeTest, ReadsBackFromItsText) {
+  const Scene scene = scene_of(
+      "rotate(quaternion=[1, 2, 3, 4]) sphere_sweep(1/3) contour([[0, 0, 0], [2, 0, 1/7], [2, 3, "
+      "1]], kind=\"bspline\");");
+  const std::string text = text_of(syntax_of(scene));
+  const Scene again = scene_of(text);
+  ASSERT_EQ(again.leaves.size(), 1U) << text;
+  EXPECT_EQ(again.carriers[0], scene.carriers[0]) << text;
+  EXPECT_TRUE(again.leaves[0].surface == scene.leaves[0].surface) << text;
+}
+
+TEST(SphereSweepNodeTest, ErrorsNameTheNodeAndThePoint) {
+  using support::fails_at;
+  EXPECT_TRUE(fails_at("sphere_sweep(1);", "1:1", "it takes one contour"));
+  EXPECT_TRUE(fails_at("sphere_sweep() contour([[0, 0, 0], [1, 0, 0]], closed=false);", "1:1",
+                       "the argument `r` is missing"));
+  EXPECT_TRUE(fails_at("sphere_sweep(0) contour([[0, 0, 0], [1, 0, 0]], closed=false);", "1:1",
+                       "must be positive"));
+  EXPECT_TRUE(fails_at("sphere_sweep(1) square(1);", "1:17", "points in space"));
+  EXPECT_TRUE(fails_at("sphere_sweep(1) contour([[0, 0], [1, 0]]);", "1:26", "3 numbers"));
+  EXPECT_TRUE(fails_at("sphere_sweep(1) contour([[0, 0, 0], [1, 0, 0]]);", "1:17",
+                       "a closed contour needs 3 points"));
+  EXPECT_TRUE(fails_at("sphere_sweep(1) contour([[0, 0, 0], [1, 0, 0], [1, 0, 0]]);", "1:17",
+                       "point 3 of the contour repeats point 2"));
+  EXPECT_TRUE(
+      fails_at("sphere_sweep(1) contour([[0, 0, 0], [1, 0, 0], [1, 1, 0]], kind=\"round\");",
+               "1:17", "one of line, bspline, catmull_rom"));
+}
+
 TEST(SweepErrorTest, NamesTheNodeAndThePoint) {
   using support::fails_at;
   EXPECT_TRUE(fails_at("rotational_sweep();", "1:1", "it takes one contour"));
