@@ -8,26 +8,6 @@ using number::Enclosure;
 using number::Rational;
 using number::Root;
 
-RationalPolynomial multiply(const RationalPolynomial& a, const RationalPolynomial& b) {
-  if (a.empty() || b.empty()) {
-    return {};
-  }
-  RationalPolynomial product(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      product[i + j] += a[i] * b[j];
-    }
-  }
-  return product;
-}
-
-void add(RationalPolynomial& a, const RationalPolynomial& b, const Rational& factor) {
-  a.resize(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    a[i] += factor * b[i];
-  }
-}
-
 RationalPolynomial derivative(const RationalPolynomial& p) {
   RationalPolynomial slope;
   for (std::size_t i = 1; i < p.size(); ++i) {

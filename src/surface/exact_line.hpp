@@ -8,15 +8,13 @@
 #include <vector>
 
 #include "number/algebraic.hpp"
+#include "surface/polynomials.hpp"
 
 namespace lamina::surface {
 
 /// Ascending; leading zeros are allowed.
 using RationalPolynomial = std::vector<number::Rational>;
 
-RationalPolynomial multiply(const RationalPolynomial& a, const RationalPolynomial& b);
-/// Adds factor * b to a.
-void add(RationalPolynomial& a, const RationalPolynomial& b, const number::Rational& factor = 1);
 RationalPolynomial derivative(const RationalPolynomial& p);
 /// Of a polynomial that is not zero, for s just above 0: its first coefficient's that is not.
 int sign_after_zero(const RationalPolynomial& p);

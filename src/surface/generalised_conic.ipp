@@ -8,41 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "surface/polynomials.hpp"
 #include "surface/rounded_sweep.ipp"
 
 namespace lamina::surface {
 namespace detail {
-
-// Polynomials in t, ascending.
-template <number::RoundedNumber Number>
-std::vector<Number> product(const std::vector<Number>& a, const std::vector<Number>& b) {
-  std::vector<Number> result(a.size() + b.size() - 1, Number(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      result[i + j] = result[i + j] + a[i] * b[j];
-    }
-  }
-  return result;
-}
-
-template <number::RoundedNumber Number>
-void add_multiple(std::vector<Number>& sum, const Number& factor, const std::vector<Number>& a) {
-  sum.resize(std::max(sum.size(), a.size()), Number(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    sum[i] = sum[i] + factor * a[i];
-  }
-}
-
-// A polynomial in z along a ray.
-template <number::RoundedNumber Number>
-std::vector<Number> composed(const std::vector<Number>& ascending, const std::vector<Number>& z) {
-  std::vector<Number> result{ascending.back()};
-  for (auto c = std::next(ascending.rbegin()); c != ascending.rend(); ++c) {
-    result = product(result, z);
-    result.front() = result.front() + *c;
-  }
-  return result;
-}
 
 // The resultant over s of u(s) w - u and v(s) w - v, by Bezout's matrix without a factor w in each
 // entry; u, v and w are polynomials in t.
@@ -54,10 +24,10 @@ std::vector<Number> eliminated(const RoundedPiece<Number>& piece, const std::vec
   const std::size_t n = straight ? 1 : piece.u[3] == 0 && piece.v[3] == 0 ? 2 : 3;
   const auto add_bracket = [&](Polynomial& sum, std::size_t p, std::size_t q, const Number& sign) {
     const Number minor = piece.u[p] * piece.v[q] - piece.u[q] * piece.v[p];
-    add_multiple(sum, Number(sign * minor), w);
+    add(sum, w, Number(sign * minor));
     if (q == 0) {
-      add_multiple(sum, Number(-sign * piece.u[p]), v);
-      add_multiple(sum, Number(sign * piece.v[p]), u);
+      add(sum, v, Number(-sign * piece.u[p]));
+      add(sum, u, Number(sign * piece.v[p]));
     }
   };
   std::array<std::array<Polynomial, 3>, 3> m;
@@ -77,16 +47,16 @@ std::vector<Number> eliminated(const RoundedPiece<Number>& piece, const std::vec
     return m[0][0];
   }
   const auto minor = [&m](std::size_t row, std::size_t a, std::size_t b) {
-    Polynomial result = product(m[row][a], m[row + 1][b]);
-    add_multiple(result, Number(-1), product(m[row][b], m[row + 1][a]));
+    Polynomial result = multiply(m[row][a], m[row + 1][b]);
+    add(result, multiply(m[row][b], m[row + 1][a]), Number(-1));
     return result;
   };
   if (n == 2) {
     return minor(0, 0, 1);
   }
-  Polynomial result = product(m[0][0], minor(1, 1, 2));
-  add_multiple(result, Number(-1), product(m[0][1], minor(1, 0, 2)));
-  add_multiple(result, Number(1), product(m[0][2], minor(1, 0, 1)));
+  Polynomial result = multiply(m[0][0], minor(1, 1, 2));
+  add(result, multiply(m[0][1], minor(1, 0, 2)), Number(-1));
+  add(result, multiply(m[0][2], minor(1, 0, 1)));
   return result;
 }
 
@@ -176,12 +146,13 @@ void RoundedSweep<Number>::find_by_sides(const geometry::Ray<Number>& as_given,
   const geometry::Ray<Number> local{as_given.origin + shift * d, d};
   const auto& o = local.origin;
   const InT z{o.z, d.z};
-  const InT p = detail::composed(scale_x_, z);
-  const InT q = detail::composed(scale_y_, z);
+  const auto as_it_is = [](const Number& c) { return c; };
+  const InT p = composed(scale_x_, z, as_it_is);
+  const InT q = composed(scale_y_, z, as_it_is);
   const bool alike = scale_x_ == scale_y_;
-  const InT u = alike ? InT{o.x, d.x} : detail::product({o.x, d.x}, q);
-  const InT v = alike ? InT{o.y, d.y} : detail::product({o.y, d.y}, p);
-  const InT w = alike ? p : detail::product(p, q);
+  const InT u = alike ? InT{o.x, d.x} : multiply({o.x, d.x}, q);
+  const InT v = alike ? InT{o.y, d.y} : multiply({o.y, d.y}, p);
+  const InT w = alike ? p : multiply(p, q);
   std::vector<Crossing> candidates;
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     const InT f = detail::eliminated(pieces_[i], u, v, w);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/contract.hpp"
+#include "surface/contour_curve.hpp"
 #include "surface/exact_line.hpp"
 
 namespace lamina::surface {
@@ -25,153 +26,15 @@ using number::Rational;
 using number::Root;
 
 using Polynomial = RationalPolynomial;
-using surface::add;  // beside those of InU
-using surface::multiply;
+using PlaneRay = PlaneRayOver<Rational>;
 
 Polynomial shifted(Polynomial p, const Rational& by) {
   p.front() += by;
   return p;
 }
 
-// p of a polynomial, for one p that is not empty.
-Polynomial composed(const Polynomial& p, const Polynomial& inner) {
-  Polynomial result{p.back()};
-  for (auto c = std::next(p.rbegin()); c != p.rend(); ++c) {
-    result = shifted(multiply(result, inner), *c);
-  }
-  return result;
-}
-
-// A polynomial in u, which need not be rational, whose coefficients are polynomials in t.
-using InU = std::vector<Polynomial>;
-
-InU multiply(const InU& a, const InU& b) {
-  InU product(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      add(product[i + j], multiply(a[i], b[j]));
-    }
-  }
-  return product;
-}
-
-void add(InU& a, const InU& b, const Rational& factor) {
-  a.resize(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    add(a[i], b[i], factor);
-  }
-}
-
-// By the first row; at most three rows.
-InU determinant(const std::vector<std::vector<InU>>& m) {
-  if (m.size() == 1) {
-    return m[0][0];
-  }
-  InU sum;
-  for (std::size_t column = 0; column < m.size(); ++column) {
-    std::vector<std::vector<InU>> minor;
-    for (std::size_t row = 1; row < m.size(); ++row) {
-      minor.push_back(m[row]);
-      minor.back().erase(minor.back().begin() + static_cast<std::ptrdiff_t>(column));
-    }
-    add(sum, multiply(m[0][column], determinant(minor)), column % 2 == 0 ? 1 : -1);
-  }
-  return sum;
-}
-
 bool is_on_axis(const ContourPiece& piece) {
   return std::all_of(piece.u.begin(), piece.u.end(), [](const Rational& c) { return c.is_zero(); });
-}
-
-std::size_t degree_of(const ContourPiece& piece) {
-  std::size_t degree = piece.u.size() - 1;
-  while (degree > 0 && piece.u[degree].is_zero() && piece.v[degree].is_zero()) {
-    --degree;
-  }
-  return degree;
-}
-
-// A ray where the contour is: homogeneous coordinates of its points in the (u, v) plane. Of a
-// rotational sweep u is not a polynomial in t, but its square is.
-struct PlaneRay {
-  std::optional<Polynomial> u;
-  Polynomial u_squared;
-  Polynomial v;
-  Polynomial w;
-};
-
-PlaneRay plane_ray(const SweptSurface& surface, const ExactRay& ray) {
-  const auto& [o, d] = ray;
-  const Polynomial x{o.x, d.x};
-  const Polynomial y{o.y, d.y};
-  const Polynomial z{o.z, d.z};
-  const Polynomial one{1};
-  switch (surface.sweep()) {
-    case Sweep::Translational:
-      return {x, {}, y, one};
-    case Sweep::Conic:
-      return {x, {}, y, z};
-    case Sweep::Rotational: {
-      Polynomial squared = multiply(x, x);
-      add(squared, multiply(y, y));
-      return {{}, squared, z, one};
-    }
-    case Sweep::GeneralisedConic: {
-      const auto& [p, q] = surface.scaling();
-      const Polynomial scale_x = composed(p, z);
-      const Polynomial scale_y = composed(q, z);
-      return p == q
-                 ? PlaneRay{x, {}, y, scale_x}
-                 : PlaneRay{
-                       multiply(x, scale_y), {}, multiply(y, scale_x), multiply(scale_x, scale_y)};
-    }
-  }
-  return {};
-}
-
-// The resultant over s of u(s) w - u and v(s) w - v by Bezout's matrix, each entry of which has a
-// factor w that is left out: zero where the ray's point is on the piece's curve, or on what
-// continues it beyond its ends. With u^2 alone, that for u times that for -u.
-Polynomial eliminated(const ContourPiece& piece, const PlaneRay& ray) {
-  const std::size_t n = degree_of(piece);
-  // [p, q] = u_p v_q - u_q v_p, where the coefficients of s^0 are u_0 w - u and v_0 w - v.
-  const auto bracket = [&](std::size_t p, std::size_t q) -> InU {
-    Polynomial rational;
-    add(rational, ray.w, piece.u[p] * piece.v[q] - piece.u[q] * piece.v[p]);
-    if (q > 0) {
-      return {rational};
-    }
-    add(rational, ray.v, -piece.u[p]);
-    if (!ray.u) {
-      return {rational, {piece.v[p]}};
-    }
-    add(rational, *ray.u, piece.v[p]);
-    return {rational};
-  };
-  std::vector<std::vector<InU>> bezout(n, std::vector<InU>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t k = 0; k <= std::min(i, n - 1 - j); ++k) {
-        const std::size_t p = j + k + 1;
-        const std::size_t q = i - k;
-        if (p != q) {
-          add(bezout[i][j], p > q ? bracket(p, q) : bracket(q, p), p > q ? 1 : -1);
-        }
-      }
-    }
-  }
-  InU f = determinant(bezout);
-  f.resize(std::max<std::size_t>(f.size(), 4));
-  if (ray.u) {
-    return f[0];
-  }
-  Polynomial even = f[0];
-  add(even, multiply(f[2], ray.u_squared));
-  Polynomial odd = f[1];
-  add(odd, multiply(f[3], ray.u_squared));
-  Polynomial norm = multiply(even, even);
-  add(norm, multiply(multiply(odd, odd), ray.u_squared), -1);
-  return norm;
 }
 
 struct Range {
@@ -217,11 +80,6 @@ bool is_off(const Range& x, const Range& w, const Rational& low, const Rational&
          ((from_low.high < 0 && from_high.high < 0) || (from_low.low > 0 && from_high.low > 0));
 }
 
-// Of u >= 0 whose enclosure may begin a little left of the axis.
-Rational least_square(const Rectangle& box) {
-  return box.u_min > 0 ? Rational(box.u_min * box.u_min) : Rational(0);
-}
-
 // Is no point of the ray with t in this interval in the rectangle, for certain?
 bool misses(const PlaneRay& ray, const Range& t, const Rectangle& box) {
   const Range w = range_over(ray.w, t);
@@ -233,40 +91,6 @@ bool misses(const PlaneRay& ray, const Range& t, const Rectangle& box) {
   }
   const Range squared = range_over(ray.u_squared, t);
   return squared.high < least_square(box) || squared.low > box.u_max * box.u_max;
-}
-
-// Van Wijk's rectangle test of section 3, over the rationals: are all corners on one side of the
-// projected ray, a line in the (u, v) plane?
-bool line_misses(const PlaneRay& ray, const Rectangle& box) {
-  // The line through two of its points, in homogeneous coordinates: their cross product.
-  const auto at = [](const Polynomial& p, std::size_t i) {
-    return i < p.size() ? p[i] : Rational(0);
-  };
-  const Polynomial& u = *ray.u;
-  const Rational a = at(ray.v, 0) * at(ray.w, 1) - at(ray.w, 0) * at(ray.v, 1);
-  const Rational b = at(ray.w, 0) * at(u, 1) - at(u, 0) * at(ray.w, 1);
-  const Rational c = at(u, 0) * at(ray.v, 1) - at(ray.v, 0) * at(u, 1);
-  const std::array signs{Rational(a * box.u_min + b * box.v_min + c).sign(),
-                         Rational(a * box.u_min + b * box.v_max + c).sign(),
-                         Rational(a * box.u_max + b * box.v_min + c).sign(),
-                         Rational(a * box.u_max + b * box.v_max + c).sign()};
-  const auto [least, most] = std::minmax_element(signs.begin(), signs.end());
-  return *least > 0 || *most < 0;
-}
-
-// Is no point of the whole ray in the turned rectangle, which is a ring, for certain?
-bool ring_is_missed(const PlaneRay& ray, const Rectangle& box) {
-  const Rational& along = ray.v[1];
-  if (!along.is_zero()) {
-    const Range t = range_of((box.v_min - ray.v[0]) / along, (box.v_max - ray.v[0]) / along);
-    return misses(ray, t, box);
-  }
-  if (ray.v[0] < box.v_min || ray.v[0] > box.v_max) {
-    return true;
-  }
-  // Least where the ray is nearest to the axis; it has a direction across.
-  const Rational nearest = -ray.u_squared[1] / (2 * ray.u_squared[2]);
-  return value_at(ray.u_squared, nearest) > box.u_max * box.u_max;
 }
 
 struct Candidate {
@@ -735,6 +559,7 @@ std::optional<SweptSurface::Facets> SweptSurface::facets(const ExactPoint& local
 
 SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
   const PlaneRay ray = plane_ray(*this, local);
+  PlaneMonomials<Rational> monomials(ray);
   std::vector<Candidate> candidates;
   if (sweep_ == Sweep::Conic || sweep_ == Sweep::GeneralisedConic) {
     add_roots(candidates, ray.w, std::nullopt);
@@ -742,14 +567,11 @@ SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
   const auto pieces = contour_->pieces();
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const Rectangle& box = contour_->boxes()[i];
-    const bool is_missed = sweep_ == Sweep::Rotational         ? ring_is_missed(ray, box)
-                           : sweep_ == Sweep::GeneralisedConic ? false
-                                                               : line_misses(ray, box);
-    if (!sweeps(i) || is_missed) {
+    if (!sweeps(i) || (ray.u ? line_misses(ray, box) : ring_is_missed(ray, box))) {
       continue;
     }
     std::vector<Candidate> of_piece;
-    if (!add_roots(of_piece, eliminated(pieces[i], ray), i)) {
+    if (!add_roots(of_piece, monomials.restrict(curve_of(sweep_, pieces[i])), i)) {
       add_ends(of_piece, ray, pieces[i], i);
     }
     std::copy_if(of_piece.begin(), of_piece.end(), std::back_inserter(candidates),
