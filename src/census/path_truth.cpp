@@ -58,7 +58,7 @@ const method::ExactStart& PathTruth::next_start() {
     const PathClass* hit = first();
     LAMINA_REQUIRE(hit != nullptr, "rays are spawned at interfaces");
     const auto at = static_cast<std::size_t>(hit - level.classes.data());
-    level.next = depth_ == 0 ? method::start_on(scene_, ray_, primary_.t(primary_.classes()[at]))
+    level.next = depth_ == 0 ? level.events.start_on(ray_, primary_.t(primary_.classes()[at]))
                              : level.events.start_on(at);
   }
   return *level.next;

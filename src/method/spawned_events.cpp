@@ -7,7 +7,6 @@
 namespace lamina::method {
 
 using geometry::ExactPoint;
-using number::Enclosure;
 using number::Interval;
 using number::Rational;
 using EnclosedPoint = geometry::Vector3<Interval>;
@@ -26,8 +25,17 @@ EnclosedPoint point_at(const EnclosedPoint& origin, const ExactPoint& direction,
 
 }  // namespace
 
-ExactStart start_on(const scene::Scene& scene, const geometry::ExactRay& ray,
-                    const number::Root& t) {
+SpawnedEvents::SpawnedEvents(const scene::Scene& scene) : scene_(&scene) {
+  std::vector<std::optional<surface::EnclosedSweep>> sweeps;
+  for (const surface::Carrier& carrier : scene.carriers) {
+    sweeps.push_back(carrier.sweep ? std::optional<surface::EnclosedSweep>(carrier.sweep)
+                                   : std::nullopt);
+  }
+  sweeps_ =
+      std::make_shared<const std::vector<std::optional<surface::EnclosedSweep>>>(std::move(sweeps));
+}
+
+ExactStart SpawnedEvents::start_on(const geometry::ExactRay& ray, const number::Root& t) const {
   ExactStart start;
   start.point = [ray, t](int bits) -> std::optional<EnclosedPoint> {
     const Interval at(enclosure(t, bits), 2 * bits);
@@ -35,17 +43,45 @@ ExactStart start_on(const scene::Scene& scene, const geometry::ExactRay& ray,
     return point_at({exactly(ray.origin.x), exactly(ray.origin.y), exactly(ray.origin.z)},
                     ray.direction, at);
   };
+  const EnclosedPoint point = *start.point(kFirstBits);
   surface::RayMonomials monomials(ray);
-  for (surface::CarrierIndex c = 0; c < scene.carriers.size(); ++c) {
-    if (surface::CarrierOnRay(scene.carriers[c], ray, monomials).sign_at(t) == 0) {
+  for (surface::CarrierIndex c = 0; c < scene_->carriers.size(); ++c) {
+    const auto& sweep = (*sweeps_)[c];
+    const auto curves =
+        sweep ? sweep->curves_at(ray, t, point) : std::vector<surface::EnclosedSweep::CurveIndex>{};
+    if (sweep && curves.empty()) {
+      continue;
+    }
+    for (const auto curve : curves) {
+      start.curves.push_back({c, curve});
+    }
+    const surface::CarrierOnRay on_ray(scene_->carriers[c], ray, monomials);
+    if (sweep && on_ray.contains_ray()) {
+      start.point = [](int) { return std::nullopt; };
+    } else if (on_ray.sign_at(t) == 0) {
       start.carriers.push_back(c);
     }
   }
   return start;
 }
 
+surface::EnclosedSweep::Start SpawnedEvents::sweep_start(surface::CarrierIndex carrier) const {
+  surface::EnclosedSweep::Start start{
+      std::binary_search(start_.carriers.begin(), start_.carriers.end(), carrier), {}};
+  for (const ExactStart::SweepCurve& at : start_.curves) {
+    if (at.carrier == carrier) {
+      start.curves.push_back(at.curve);
+    }
+  }
+  return start;
+}
+
 std::optional<SpawnedEvents::CarrierRoots> SpawnedEvents::roots_of(
-    surface::CarrierIndex carrier, surface::EnclosedRayMonomials& ray) const {
+    surface::CarrierIndex carrier, const EnclosedPoint& origin,
+    surface::EnclosedRayMonomials& ray) const {
+  if (const auto& sweep = (*sweeps_)[carrier]) {
+    return sweep->crossings(origin, direction_, sweep_start(carrier));
+  }
   std::vector<Interval> f = ray.restrict(scene_->carriers[carrier]);
   if (std::binary_search(start_.carriers.begin(), start_.carriers.end(), carrier)) {
     f.erase(f.begin());
@@ -63,7 +99,22 @@ std::optional<SpawnedEvents::CarrierRoots> SpawnedEvents::roots_of(
   if (!roots) {
     return std::nullopt;
   }
-  return CarrierRoots{*sign, std::move(*roots)};
+  CarrierRoots result{*sign, {}};
+  for (poly::IsolatedRoot& root : *roots) {
+    result.crossings.push_back({std::move(root), {}});
+  }
+  return result;
+}
+
+std::optional<poly::IsolatedRoot> SpawnedEvents::root_of(std::size_t cls,
+                                                         const EnclosedPoint& origin) const {
+  const SpawnedClass& at = classes_[cls];
+  if (const auto& sweep = (*sweeps_)[at.carrier]) {
+    return sweep->root_at(places_[cls], origin, direction_, sweep_start(at.carrier));
+  }
+  surface::EnclosedRayMonomials ray(origin, direction_);
+  auto found = roots_of(at.carrier, origin, ray);
+  return found ? std::optional(std::move(found->crossings[at.root].root)) : std::nullopt;
 }
 
 bool SpawnedEvents::find_with(int bits) {
@@ -73,42 +124,38 @@ bool SpawnedEvents::find_with(int bits) {
   }
   surface::EnclosedRayMonomials ray(*origin, direction_);
   classes_.clear();
+  places_.clear();
   starts_inside_.assign(scene_->leaves.size(), 0);
-  std::vector<poly::IsolatedRoot> roots;  // of classes_
+  struct Found {
+    SpawnedClass cls;
+    surface::EnclosedSweep::Crossing crossing;
+  };
+  std::vector<Found> found;
   for (surface::CarrierIndex c = 0; c < scene_->carriers.size(); ++c) {
-    auto found = roots_of(c, ray);
-    if (!found) {
+    auto of_carrier = roots_of(c, *origin, ray);
+    if (!of_carrier) {
       return false;
     }
     for (const csg::LeafIndex leaf : scene_->leaves_of_carrier[c]) {
-      starts_inside_[leaf] = scene_->leaves[leaf].side * found->sign < 0 ? 1 : 0;
+      starts_inside_[leaf] = scene_->leaves[leaf].side * of_carrier->sign < 0 ? 1 : 0;
     }
-    for (std::size_t i = 0; i < found->roots.size(); ++i) {
-      classes_.push_back({c, i, 0});
-      roots.push_back(std::move(found->roots[i]));
-    }
-  }
-  // Insertion sort: comparing may fail.
-  for (std::size_t i = 1; i < roots.size(); ++i) {
-    for (std::size_t j = i; j > 0; --j) {
-      const auto order = compare(roots[j - 1], roots[j]);
-      if (!order) {
-        return false;
-      }
-      if (*order < 0) {
-        break;
-      }
-      std::swap(roots[j - 1], roots[j]);
-      std::swap(classes_[j - 1], classes_[j]);
+    for (std::size_t i = 0; i < of_carrier->crossings.size(); ++i) {
+      found.push_back({{c, i, 0}, std::move(of_carrier->crossings[i])});
     }
   }
-  for (std::size_t i = 0; i < roots.size(); ++i) {
+  if (!poly::sort_by_root(found,
+                          [](Found& item) -> poly::IsolatedRoot& { return item.crossing.root; })) {
+    return false;
+  }
+  for (auto& [cls, crossing] : found) {
     constexpr int kBitsOfDouble = 60;
-    const auto bounds = enclosure(roots[i], kBitsOfDouble);
+    const auto bounds = enclosure(crossing.root, kBitsOfDouble);
     if (!bounds) {
       return false;
     }
-    classes_[i].s = number::nearest_double(Rational((bounds->lower + bounds->upper) / 2));
+    cls.s = number::nearest_double(Rational((bounds->lower + bounds->upper) / 2));
+    classes_.push_back(cls);
+    places_.push_back(crossing.place);
   }
   return true;
 }
@@ -117,10 +164,6 @@ bool SpawnedEvents::find(const ExactStart& start, const ExactPoint& direction) {
   start_ = start;
   direction_ = direction;
   classes_.clear();
-  if (std::any_of(scene_->carriers.begin(), scene_->carriers.end(),
-                  [](const surface::Carrier& carrier) { return carrier.sweep != nullptr; })) {
-    return false;
-  }
   for (int bits = kFirstBits; bits <= kMaxBits; bits *= 2) {
     if (find_with(bits)) {
       return true;
@@ -134,6 +177,9 @@ ExactStart SpawnedEvents::start_on(std::size_t cls) const {
   const SpawnedClass at = classes_[cls];
   ExactStart next;
   next.carriers = {at.carrier};
+  if (scene_->carriers[at.carrier].sweep) {
+    next.curves = {{at.carrier, places_[cls].curve}};
+  }
   // A copy answers: this object goes on to other rays. Deeper rays ask again, for more bits.
   struct Known {
     SpawnedEvents events;
@@ -141,7 +187,7 @@ ExactStart SpawnedEvents::start_on(std::size_t cls) const {
     std::optional<EnclosedPoint> point;
   };
   next.point = [known = std::make_shared<Known>(Known{*this, 0, std::nullopt}),
-                at](int bits) -> std::optional<EnclosedPoint> {
+                cls](int bits) -> std::optional<EnclosedPoint> {
     // What one hit mostly loses; where it is more, twice as many bits and so on are asked for.
     constexpr int kGuardBits = 16;
     constexpr int kLimit = 4 * kMaxBits;
@@ -154,12 +200,11 @@ ExactStart SpawnedEvents::start_on(std::size_t cls) const {
       if (!origin) {
         return std::nullopt;
       }
-      surface::EnclosedRayMonomials ray(*origin, events.direction_);
-      auto found = events.roots_of(at.carrier, ray);
-      if (!found) {
+      auto root = events.root_of(cls, *origin);
+      if (!root) {
         continue;
       }
-      if (const auto s = enclosure(std::move(found->roots[at.root]), bits)) {
+      if (const auto s = enclosure(std::move(*root), bits)) {
         known->bits = bits;
         known->point = point_at(*origin, events.direction_, Interval(*s, origin->x.bits()));
         return known->point;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "number/interval.hpp"
 #include "poly/certified_roots.hpp"
 #include "scene/scene.hpp"
+#include "surface/enclosed_sweep.hpp"
 
 namespace lamina::method {
 
@@ -19,11 +21,14 @@ struct ExactStart {
   /// before it is not certified so closely. Copies share what is known: not for two threads.
   std::function<std::optional<geometry::Vector3<number::Interval>>(int bits)> point;
   std::vector<surface::CarrierIndex> carriers;  ///< all that go through the point, ascending
-};
 
-/// Where an exact ray meets a surface. The carriers through the point are decided exactly.
-ExactStart start_on(const scene::Scene& scene, const geometry::ExactRay& ray,
-                    const number::Root& t);
+  struct SweepCurve {
+    surface::CarrierIndex carrier = 0;
+    surface::EnclosedSweep::CurveIndex curve = 0;
+  };
+  /// Of all sweeps, whether these go through the point or not; ascending.
+  std::vector<SweepCurve> curves;
+};
 
 /// All leaves of one carrier at one of its roots, s > 0.
 struct SpawnedClass {
@@ -35,14 +40,20 @@ struct SpawnedClass {
 /// The crossings with s > 0 of the ray start + s direction, the start an algebraic point, the
 /// direction read exactly (design 1, conditional truth). For a carrier through the start the
 /// root s = 0 is divided out, never searched for. Everything else is decided by intervals, of
-/// more and more bits until they suffice; equal roots of different carriers never do. In a scene
-/// with a swept contour nothing is decided.
+/// more and more bits until they suffice; equal roots of different carriers, or of different curves
+/// of a swept contour, never do.
 class SpawnedEvents {
  public:
   /// Bits at which a decision is given up.
   static constexpr int kMaxBits = 1536;
 
-  explicit SpawnedEvents(const scene::Scene& scene) : scene_(&scene) {}
+  explicit SpawnedEvents(const scene::Scene& scene);
+
+  /// Where an exact ray meets a surface. The carriers and curves through the point are decided
+  /// exactly, but that a sweep which the ray only touches there is no such carrier. Nothing is
+  /// decided from where a curve of a sweep goes through the point that the ray runs along
+  /// somewhere.
+  [[nodiscard]] ExactStart start_on(const geometry::ExactRay& ray, const number::Root& t) const;
 
   /// Returns whether all of the ray is decided; if not, there is nothing to ask for.
   bool find(const ExactStart& start, const geometry::ExactPoint& direction);
@@ -55,19 +66,25 @@ class SpawnedEvents {
   [[nodiscard]] ExactStart start_on(std::size_t cls) const;
 
  private:
-  struct CarrierRoots {
-    int sign = 0;  ///< of f at s = 0+; 0 if the ray lies in the carrier
-    std::vector<poly::IsolatedRoot> roots;
-  };
-  // None if that many bits do not suffice.
-  [[nodiscard]] std::optional<CarrierRoots> roots_of(surface::CarrierIndex carrier,
-                                                     surface::EnclosedRayMonomials& ray) const;
+  // The sign of f at s = 0+, 0 if the ray lies in the carrier, and the roots; those of a polynomial
+  // have no place.
+  using CarrierRoots = surface::EnclosedSweep::Crossings;
+  // Both: none if that many bits do not suffice. The ray's origin is given besides.
+  [[nodiscard]] std::optional<CarrierRoots> roots_of(
+      surface::CarrierIndex carrier, const surface::EnclosedSweep::EnclosedPoint& origin,
+      surface::EnclosedRayMonomials& ray) const;
+  [[nodiscard]] std::optional<poly::IsolatedRoot> root_of(
+      std::size_t cls, const surface::EnclosedSweep::EnclosedPoint& origin) const;
+  [[nodiscard]] surface::EnclosedSweep::Start sweep_start(surface::CarrierIndex carrier) const;
   bool find_with(int bits);
 
   const scene::Scene* scene_;
+  // By the carrier; none but for sweeps.
+  std::shared_ptr<const std::vector<std::optional<surface::EnclosedSweep>>> sweeps_;
   ExactStart start_;
   geometry::ExactPoint direction_;
   std::vector<SpawnedClass> classes_;
+  std::vector<surface::EnclosedSweep::Place> places_;  // of classes_, where these are of sweeps
   std::vector<std::uint8_t> starts_inside_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "number/interval.hpp"
@@ -49,6 +50,26 @@ std::optional<std::vector<IsolatedRoot>> positive_roots(std::vector<number::Inte
 /// Returns the order of two roots of different polynomials, refining both until they are
 /// apart; none if their intervals can no longer be cut.
 std::optional<std::strong_ordering> compare(IsolatedRoot& a, IsolatedRoot& b);
+
+/// Sorts items by their roots, ascending, which root_of returns a reference to. Returns false if
+/// two of them cannot be compared.
+template <typename Item, typename RootOf>
+bool sort_by_root(std::vector<Item>& items, const RootOf& root_of) {
+  // Insertion sort: comparing may fail.
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    for (std::size_t j = i; j > 0; --j) {
+      const auto order = compare(root_of(items[j - 1]), root_of(items[j]));
+      if (!order) {
+        return false;
+      }
+      if (*order < 0) {
+        break;
+      }
+      std::swap(items[j - 1], items[j]);
+    }
+  }
+  return true;
+}
 
 /// Returns bounds of s itself with upper - lower <= 2^-bits * max(1, lower); none if the
 /// coefficients are not enclosed narrowly enough.

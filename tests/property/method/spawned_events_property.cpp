@@ -244,7 +244,7 @@ TEST_CASE("Rays spawned once and twice meet what expressions with square roots s
                         << hit.t.lower() << ", then " << next[0] << " " << next[1] << " "
                         << next[2]);
       SpawnedEvents events(bench.scene());
-      const method::ExactStart start = method::start_on(bench.scene(), ray, hit.t);
+      const method::ExactStart start = events.start_on(ray, hit.t);
       REQUIRE(std::binary_search(start.carriers.begin(), start.carriers.end(), on));
       if (start.carriers.size() > 1 || !events.find(start, exactly(next))) {
         tally.add("undecided");

@@ -92,6 +92,24 @@ TEST_F(PathTruthTest, GoesOnFromASpawnedHit) {
   EXPECT_EQ(truth_->classes()[0].s, 6);
 }
 
+// A turned rectangle is a cylinder of radius 2: reflected by its wall to another place of the wall,
+// and from there to its bottom.
+TEST_F(PathTruthTest, DecidesWhatASweptContourReflects) {
+  spawn("rotational_sweep() contour([[0, 0], [2, 0], [2, 5], [0, 5]], kind=\"line\");",
+        {{0, 0, 6}, {1, 0, -2}}, {1, 0, -2});
+  ASSERT_TRUE(decided_);  // inside, from the top at (1/2, 0, 5)
+  EXPECT_EQ(name(truth_->start_medium()), "default");
+  ASSERT_EQ(truth_->classes().size(), 1u);
+  EXPECT_EQ(truth_->classes()[0].s, 1.5);
+  ASSERT_TRUE(truth_->spawn({-1, 1, 0}));  // at (2, 0, 2)
+  ASSERT_EQ(truth_->classes().size(), 1u);
+  EXPECT_EQ(truth_->classes()[0].s, 2);
+  EXPECT_TRUE(truth_->starts_on(0));
+  ASSERT_TRUE(truth_->spawn({0, -Rational(1, 2), -1}));  // at (0, 2, 2)
+  ASSERT_EQ(truth_->classes().size(), 1u);
+  EXPECT_EQ(truth_->classes()[0].s, 2);
+}
+
 // Counts of one ray whose reflection starts off by what a policy adds.
 Cell judge(const std::string& text, const std::string& method, const ExactRay& ray,
            const std::vector<trace::Spawn>& spawns) {
