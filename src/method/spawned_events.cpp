@@ -28,8 +28,11 @@ EnclosedPoint point_at(const EnclosedPoint& origin, const ExactPoint& direction,
 SpawnedEvents::SpawnedEvents(const scene::Scene& scene) : scene_(&scene) {
   std::vector<std::optional<surface::EnclosedSweep>> sweeps;
   for (const surface::Carrier& carrier : scene.carriers) {
-    sweeps.push_back(carrier.sweep ? std::optional<surface::EnclosedSweep>(carrier.sweep)
-                                   : std::nullopt);
+    const bool is_contour =
+        carrier.sweep && std::holds_alternative<surface::SweptSurface>(carrier.sweep->surface);
+    sweeps.push_back(is_contour ? std::optional<surface::EnclosedSweep>(carrier.sweep)
+                                : std::nullopt);
+    is_decidable_ = is_decidable_ && (is_contour || !carrier.sweep);
   }
   sweeps_ =
       std::make_shared<const std::vector<std::optional<surface::EnclosedSweep>>>(std::move(sweeps));
@@ -164,7 +167,7 @@ bool SpawnedEvents::find(const ExactStart& start, const ExactPoint& direction) {
   start_ = start;
   direction_ = direction;
   classes_.clear();
-  for (int bits = kFirstBits; bits <= kMaxBits; bits *= 2) {
+  for (int bits = kFirstBits; is_decidable_ && bits <= kMaxBits; bits *= 2) {
     if (find_with(bits)) {
       return true;
     }

@@ -41,7 +41,7 @@ struct SpawnedClass {
 /// direction read exactly (design 1, conditional truth). For a carrier through the start the
 /// root s = 0 is divided out, never searched for. Everything else is decided by intervals, of
 /// more and more bits until they suffice; equal roots of different carriers, or of different curves
-/// of a swept contour, never do.
+/// of a swept contour, never do. In a scene with a sphere sweep nothing is decided.
 class SpawnedEvents {
  public:
   /// Bits at which a decision is given up.
@@ -79,7 +79,8 @@ class SpawnedEvents {
   bool find_with(int bits);
 
   const scene::Scene* scene_;
-  // By the carrier; none but for sweeps.
+  bool is_decidable_ = true;  // no carrier is a sphere sweep
+  // By the carrier; none but for swept contours.
   std::shared_ptr<const std::vector<std::optional<surface::EnclosedSweep>>> sweeps_;
   ExactStart start_;
   geometry::ExactPoint direction_;

@@ -56,7 +56,7 @@ PlaneRayOver<Ring> plane_ray(const SweptSurface& surface,
     }
     case Sweep::GeneralisedConic: {
       const auto& [p, q] = surface.scaling();
-      const auto held = [&one](const number::Rational& c) { return as_in(one[0], c); };
+      const auto held = [&like = line[3][0]](const number::Rational& c) { return as_in(like, c); };
       std::vector<Ring> scale_x = composed(p, z, held);
       if (p == q) {
         return {x, {}, y, std::move(scale_x)};

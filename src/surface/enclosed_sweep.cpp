@@ -28,14 +28,15 @@ EnclosedPoint to_local(const AffineMap& map, const EnclosedPoint& point) {
 }
 
 // Coordinates that do not change along the ray are constants.
-PlaneRay plane_ray_of(Sweep sweep, const EnclosedPoint& origin, const ExactPoint& direction) {
+PlaneRay plane_ray_of(const SweptSurface& surface, const EnclosedPoint& origin,
+                      const ExactPoint& direction) {
   const auto linear = [](const Interval& from, const Rational& way) {
     return way.is_zero() ? Polynomial{from} : Polynomial{from, as_in(from, way)};
   };
-  return plane_ray<Interval>(sweep, {{linear(origin.x, direction.x),
-                                      linear(origin.y, direction.y),
-                                      linear(origin.z, direction.z),
-                                      {as_in(origin.x, 1)}}});
+  return plane_ray<Interval>(surface, {{linear(origin.x, direction.x),
+                                        linear(origin.y, direction.y),
+                                        linear(origin.z, direction.z),
+                                        {as_in(origin.x, 1)}}});
 }
 
 Interval value_at(const Polynomial& p, const Interval& s) {
@@ -136,10 +137,19 @@ std::optional<std::vector<Rational>> samples(std::vector<EnclosedSweep::Crossing
   return result;
 }
 
+// The degree of u, v and w in a point's coordinates; u^2 of a rotational sweep counts as two.
+int plane_degree(const SweptSurface& surface) {
+  if (surface.sweep() != Sweep::GeneralisedConic) {
+    return 1;
+  }
+  const PlaneRayOver<Rational> any = plane_ray(surface, {{0, 0, 0}, {1, 1, 1}});
+  return static_cast<int>(std::max({any.u->size(), any.v.size(), any.w.size()})) - 1;
+}
+
 }  // namespace
 
 EnclosedSweep::EnclosedSweep(std::shared_ptr<const PlacedSweep> sweep) : sweep_(std::move(sweep)) {
-  const SweptSurface& surface = sweep_->surface;
+  const SweptSurface& surface = this->surface();
   const auto pieces = surface.contour().pieces();
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (!surface.sweeps(i)) {
@@ -163,10 +173,9 @@ std::vector<EnclosedSweep::CurveIndex> EnclosedSweep::curves_at(const ExactRay& 
                                                                 const number::Root& t,
                                                                 const EnclosedPoint& point) const {
   const AffineMap& map = sweep_->to_local;
-  const Sweep sweep = sweep_->surface.sweep();
-  PlaneMonomials<Interval> enclosed(plane_ray_of(sweep, to_local(map, point), {0, 0, 0}));
+  PlaneMonomials<Interval> enclosed(plane_ray_of(surface(), to_local(map, point), {0, 0, 0}));
   PlaneMonomials<Rational> exact(
-      plane_ray(sweep, {apply(map, ray.origin), apply_to_direction(map, ray.direction)}));
+      plane_ray(surface(), {apply(map, ray.origin), apply_to_direction(map, ray.direction)}));
   std::vector<CurveIndex> curves;
   for (CurveIndex c = 0; c < curves_.size(); ++c) {
     const ContourCurve& equation = curves_[c].equation;
@@ -184,15 +193,14 @@ std::vector<EnclosedSweep::CurveIndex> EnclosedSweep::curves_at(const ExactRay& 
 bool EnclosedSweep::has_zero_coefficient(const ContourCurve& equation, const ExactPoint& direction,
                                          std::size_t power) const {
   constexpr int kMost = 2;  // a cubic's coefficients that can be zero for all
-  const int degree = equation.degree - static_cast<int>(power);
+  const int degree = equation.degree * plane_degree(surface()) - static_cast<int>(power);
   if (degree > kMost) {
     return false;
   }
   for (int x = 0; x <= degree; ++x) {
     for (int y = 0; x + y <= degree; ++y) {
       for (int z = 0; x + y + z <= degree; ++z) {
-        PlaneMonomials<Rational> monomials(
-            plane_ray(sweep_->surface.sweep(), {{x, y, z}, direction}));
+        PlaneMonomials<Rational> monomials(plane_ray(surface(), {{x, y, z}, direction}));
         const std::vector<Rational> g = monomials.restrict(equation);
         if (power < g.size() && !g[power].is_zero()) {
           return false;
@@ -211,7 +219,7 @@ std::optional<int> EnclosedSweep::side_at(const EnclosedPoint& point) const {
       return bits < x.bits() ? Interval(Enclosure{x.lower(), x.upper()}, bits) : x;
     };
     const EnclosedPoint box{rounded(point.x), rounded(point.y), rounded(point.z)};
-    const PlaneRay place = plane_ray_of(sweep_->surface.sweep(), box, {0, 0, 0});
+    const PlaneRay place = plane_ray_of(surface(), box, {0, 0, 0});
     PlaneMonomials<Interval> monomials(place);
     const bool is_free = std::all_of(curves_.begin(), curves_.end(), [&](const Curve& curve) {
       return is_off(place, curve.boxes) ||
@@ -219,7 +227,7 @@ std::optional<int> EnclosedSweep::side_at(const EnclosedPoint& point) const {
     });
     if (is_free) {
       const auto middle = [](const Interval& x) { return Rational((x.lower() + x.upper()) / 2); };
-      return sweep_->surface.side({middle(box.x), middle(box.y), middle(box.z)});
+      return surface().side({middle(box.x), middle(box.y), middle(box.z)});
     }
     if (bits >= point.x.bits()) {
       return std::nullopt;
@@ -244,7 +252,7 @@ EnclosedSweep::LocalRay EnclosedSweep::local_ray(const EnclosedPoint& origin,
                                                  const Start& start) const {
   const EnclosedPoint from = to_local(sweep_->to_local, origin);
   const ExactPoint way = apply_to_direction(sweep_->to_local, direction);
-  const PlaneRay plane = plane_ray_of(sweep_->surface.sweep(), from, way);
+  const PlaneRay plane = plane_ray_of(surface(), from, way);
   return {from, way, plane, PlaneMonomials<Interval>(plane), start};
 }
 

@@ -18,6 +18,7 @@ class EnclosedSweep {
   using CurveIndex = std::uint32_t;
   using EnclosedPoint = geometry::Vector3<number::Interval>;
 
+  /// Contract: it is a SweptSurface that is placed.
   explicit EnclosedSweep(std::shared_ptr<const PlacedSweep> sweep);
 
   /// What is known of the point that a ray starts at.
@@ -74,6 +75,10 @@ class EnclosedSweep {
 
   // A ray in local coordinates, and what is known of its start.
   struct LocalRay;
+
+  [[nodiscard]] const SweptSurface& surface() const {
+    return std::get<SweptSurface>(sweep_->surface);
+  }
 
   [[nodiscard]] LocalRay local_ray(const EnclosedPoint& origin,
                                    const geometry::ExactPoint& direction, const Start& start) const;

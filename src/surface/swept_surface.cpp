@@ -507,8 +507,8 @@ ExactPoint SweptSurface::normal_at(const ExactPoint& local, const Foot& foot) co
     case Sweep::GeneralisedConic: {
       // The gradient of what is zero at (x / p, y / q), times the absolute value of p q.
       const auto [p, q] = scales_at(*this, z);
-      const Rational slope_p = slope_at(scaling_.x, z);
-      const Rational slope_q = slope_at(scaling_.y, z);
+      const Rational slope_p = value_at(derivative(scaling_.x), z);
+      const Rational slope_q = value_at(derivative(scaling_.y), z);
       return Rational(p.sign() * q.sign()) *
              ExactPoint{n_u * q, n_v * p, -(n_u * u * slope_p * q + n_v * v * slope_q * p)};
     }

@@ -26,6 +26,23 @@ inline std::string sweep_text(surface::Sweep sweep, const std::vector<geometry::
                      contour_text(points), name_of(kind), closed);
 }
 
+inline std::string sweep_text(const surface::SweptSurface& sweep) {
+  const geometry::Contour& contour = sweep.contour();
+  if (sweep.sweep() != surface::Sweep::GeneralisedConic) {
+    return sweep_text(sweep.sweep(), contour.points(), contour.kind(), contour.closed());
+  }
+  const auto list = [](const std::vector<number::Rational>& polynomial) {
+    std::vector<std::string> coefficients;
+    for (const number::Rational& c : polynomial) {
+      coefficients.push_back(number::to_text(c));
+    }
+    return fmt::format("[{}]", fmt::join(coefficients, ", "));
+  };
+  return fmt::format("{}({}, {}) contour({}, kind=\"{}\");\n", name_of(sweep.sweep()),
+                     list(sweep.scaling().x), list(sweep.scaling().y),
+                     contour_text(contour.points()), name_of(contour.kind()));
+}
+
 // n.p <= offset.
 inline std::string plane_text(const geometry::ExactPoint& n, const number::Rational& offset) {
   return fmt::format("halfspace([{}, {}, {}], {});\n", number::to_text(n.x), number::to_text(n.y),

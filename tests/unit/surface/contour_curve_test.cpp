@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace lamina::surface {
 namespace {
 
@@ -58,7 +60,11 @@ TEST(ContourCurveTest, AStraightPieceIsALineHoweverItRuns) {
 
 // At t, the ray from (1, 2) in direction (1, -1) has u + 2 v - 7 = -2 - t.
 TEST(ContourCurveTest, RestrictsToARay) {
-  PlaneMonomials<Rational> ray(plane_ray(Sweep::Translational, {{1, 2, 5}, {1, -1, 3}}));
+  const SweptSurface prism(Sweep::Translational,
+                           std::make_shared<const geometry::Contour>(
+                               std::vector<geometry::PlanePoint>{{0, 0}, {1, 0}, {0, 1}},
+                               geometry::ContourKind::Line, true));
+  PlaneMonomials<Rational> ray(plane_ray(prism, {{1, 2, 5}, {1, -1, 3}}));
   const auto g = ray.restrict(curve_of(Sweep::Translational, {{1, 2}, {3, -1}}));
   EXPECT_EQ(g, (std::vector<Rational>{2, 1}));
 }
