@@ -72,11 +72,14 @@ std::vector<Rational> spline_piece(ContourKind kind, const std::array<Rational, 
   return catmull_rom(p[0], p[1], p[2], p[3]);
 }
 
-std::vector<Rational> bezier(const std::vector<Rational>& c) {
-  if (c.size() == 2) {
-    return {c[0], c[0] + c[1]};
+std::vector<Rational> bezier(const std::vector<Rational>& ascending) {
+  const Rational& start = ascending[0];
+  const Rational& slope = ascending[1];
+  if (ascending.size() == 2) {
+    return {start, start + slope};
   }
-  return {c[0], c[0] + c[1] / 3, c[0] + (2 * c[1] + c[2]) / 3, c[0] + c[1] + c[2] + c[3]};
+  return {start, start + slope / 3, start + (2 * slope + ascending[2]) / 3,
+          start + slope + ascending[2] + ascending[3]};
 }
 
 void require_distinct_points(std::size_t count, bool closed,

@@ -1,6 +1,8 @@
 #include "surface/contour_curve.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 namespace lamina::surface {
 namespace {
@@ -10,7 +12,7 @@ using number::Integer;
 using number::Rational;
 
 // A polynomial in u whose coefficients are polynomials in v.
-using InU = std::vector<std::vector<Rational>>;
+using InU = std::vector<std::vector<Integer>>;
 
 InU multiply(const InU& a, const InU& b) {
   InU product(a.size() + b.size() - 1);
@@ -46,41 +48,60 @@ InU determinant(const std::vector<std::vector<InU>>& m) {
   return sum;
 }
 
-std::size_t degree_of(const ContourPiece& piece) {
-  std::size_t degree = piece.u.size() - 1;
-  while (degree > 0 && piece.u[degree].is_zero() && piece.v[degree].is_zero()) {
-    --degree;
+// A piece with its coefficients times a common denominator.
+struct IntegerPiece {
+  std::vector<Integer> u;  // as many as the degree asks for
+  std::vector<Integer> v;
+  Integer scale = 1;
+
+  [[nodiscard]] std::size_t degree() const { return u.size() - 1; }
+  [[nodiscard]] Integer bracket(std::size_t p, std::size_t q) const {
+    return u[p] * v[q] - u[q] * v[p];
   }
-  return degree;
-}
-
-Rational bracket_of(const ContourPiece& piece, std::size_t p, std::size_t q) {
-  return piece.u[p] * piece.v[q] - piece.u[q] * piece.v[p];
-}
-
-// A straight piece by its ends, however it goes from one to the other: a resultant would be a
-// power of the line's equation.
-ContourPiece straightened(const ContourPiece& piece) {
-  const std::size_t n = degree_of(piece);
-  for (std::size_t p = 2; p <= n; ++p) {
-    for (std::size_t q = 1; q < p; ++q) {
-      if (!bracket_of(piece, p, q).is_zero()) {
-        return piece;
+  [[nodiscard]] bool is_straight() const {
+    for (std::size_t p = 2; p <= degree(); ++p) {
+      for (std::size_t q = 1; q < p; ++q) {
+        if (!bracket(p, q).is_zero()) {
+          return false;
+        }
       }
     }
+    return true;
   }
-  const auto line = [](const std::vector<Rational>& c) {
-    return std::vector<Rational>{c[0], geometry::value_at(c, 1) - c[0]};
-  };
-  return {line(piece.u), line(piece.v)};
+};
+
+// A straight piece is given by its ends, however it goes from one to the other: its resultant would
+// be a power of the line's equation.
+IntegerPiece integral(const ContourPiece& piece) {
+  IntegerPiece result;
+  for (const auto* coefficients : {&piece.u, &piece.v}) {
+    for (const Rational& c : *coefficients) {
+      result.scale = lcm(result.scale, Integer(denominator(c)));
+    }
+  }
+  for (std::size_t i = 0; i < piece.u.size(); ++i) {
+    result.u.push_back(numerator(Rational(piece.u[i] * result.scale)));
+    result.v.push_back(numerator(Rational(piece.v[i] * result.scale)));
+  }
+  while (result.u.back().is_zero() && result.v.back().is_zero()) {
+    result.u.pop_back();
+    result.v.pop_back();
+  }
+  if (result.is_straight()) {
+    for (std::vector<Integer>* c : {&result.u, &result.v}) {
+      *c = {c->front(), std::accumulate(std::next(c->begin()), c->end(), Integer(0))};
+    }
+  }
+  return result;
 }
 
-InU resultant(const ContourPiece& piece) {
-  const std::size_t n = degree_of(piece);
+InU resultant(const IntegerPiece& piece) {
+  const std::size_t n = piece.degree();
   // [p, q] = u_p v_q - u_q v_p, where the coefficients of s^0 are u_0 - u and v_0 - v.
   const auto bracket = [&piece](std::size_t p, std::size_t q) -> InU {
-    const Rational constant = bracket_of(piece, p, q);
-    return q > 0 ? InU{{constant}} : InU{{constant, -piece.u[p]}, {piece.v[p]}};
+    const Integer constant = piece.bracket(p, q);
+    return q > 0 ? InU{{constant}}
+                 : InU{{constant, -piece.u[p] * piece.scale}, {piece.v[p] * piece.scale}};
   };
   std::vector<std::vector<InU>> bezout(n, std::vector<InU>(n));
   for (std::size_t i = 0; i < n; ++i) {
@@ -98,33 +119,26 @@ InU resultant(const ContourPiece& piece) {
 }
 
 bool is_zero(const InU& f) {
-  return std::all_of(f.begin(), f.end(), [](const std::vector<Rational>& c) {
-    return std::all_of(c.begin(), c.end(), [](const Rational& x) { return x.is_zero(); });
+  return std::all_of(f.begin(), f.end(), [](const std::vector<Integer>& c) {
+    return std::all_of(c.begin(), c.end(), [](const Integer& x) { return x.is_zero(); });
   });
 }
 
-// With coprime integers for coefficients; `power` is that of u whose powers g has.
+// With coprime coefficients; `power` is that of u whose powers g has.
 ContourCurve normalised(const InU& g, int power, int degree) {
-  Integer denominators = 1;
-  Integer numerators = 0;
-  for (const std::vector<Rational>& in_v : g) {
-    for (const Rational& coefficient : in_v) {
-      denominators = lcm(denominators, Integer(denominator(coefficient)));
-    }
-  }
   ContourCurve curve{degree, {}};
+  Integer common = 0;
   for (int i = 0; i < static_cast<int>(g.size()); ++i) {
     for (int j = 0; j < static_cast<int>(g[i].size()); ++j) {
       if (!g[i][j].is_zero()) {
-        const Integer value = numerator(Rational(g[i][j] * denominators));
-        numerators = gcd(numerators, value);
-        curve.terms.push_back({{i, j, degree - power * i - j}, value});
+        common = gcd(common, g[i][j]);
+        curve.terms.push_back({{i, j, degree - power * i - j}, g[i][j]});
       }
     }
   }
-  numerators *= curve.terms.front().coefficient.sign();
+  common *= curve.terms.front().coefficient.sign();
   for (ContourCurve::Term& term : curve.terms) {
-    term.coefficient /= numerators;
+    term.coefficient /= common;
   }
   return curve;
 }
@@ -137,8 +151,8 @@ PlaneRayOver<Rational> plane_ray(const SweptSurface& surface, const geometry::Ex
 }
 
 ContourCurve curve_of(Sweep sweep, const ContourPiece& piece) {
-  const ContourPiece reduced = straightened(piece);
-  const int degree = static_cast<int>(degree_of(reduced));
+  const IntegerPiece reduced = integral(piece);
+  const int degree = static_cast<int>(reduced.degree());
   const InU f = resultant(reduced);
   if (sweep != Sweep::Rotational) {
     return normalised(f, 1, degree);
@@ -153,13 +167,13 @@ ContourCurve curve_of(Sweep sweep, const ContourPiece& piece) {
     return normalised(even, 2, degree);
   }
   InU norm = multiply(even, even);
-  add(norm, multiply({{}, {Rational(1)}}, multiply(odd, odd)), -1);
+  add(norm, multiply({{}, {Integer(1)}}, multiply(odd, odd)), -1);
   return normalised(norm, 2, 2 * degree);
 }
 
 ContourCurve curve_on_axis(const ContourPiece& piece) {
-  const ContourPiece reduced = straightened(piece);
-  return normalised({resultant(reduced).front()}, 1, static_cast<int>(degree_of(reduced)));
+  const IntegerPiece reduced = integral(piece);
+  return normalised({resultant(reduced).front()}, 1, static_cast<int>(reduced.degree()));
 }
 
 }  // namespace lamina::surface

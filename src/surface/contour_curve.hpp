@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -21,7 +22,8 @@ inline std::optional<int> certain_sign(const number::Rational& value) { return v
 inline std::optional<int> certain_sign(const number::Interval& value) { return value.sign(); }
 
 /// A rational as a number of the same kind as another one, of as many bits.
-inline number::Rational as_in(const number::Rational& /*like*/, const number::Rational& value) {
+inline const number::Rational& as_in(const number::Rational& /*like*/,
+                                     const number::Rational& value) {
   return value;
 }
 inline number::Interval as_in(const number::Interval& like, const number::Rational& value) {
@@ -159,10 +161,9 @@ bool line_misses(const PlaneRayOver<Ring>& ray, const geometry::Rectangle& box) 
   const Ring b = at(ray.w, 0) * at(u, 1) - at(u, 0) * at(ray.w, 1);
   const Ring c = at(u, 0) * at(ray.v, 1) - at(ray.v, 0) * at(u, 1);
   std::optional<int> all;
-  for (const number::Rational& corner_u : {box.u_min, box.u_max}) {
-    for (const number::Rational& corner_v : {box.v_min, box.v_max}) {
-      const Ring side = a * as_in(u[0], corner_u) + b * as_in(u[0], corner_v) + c;
-      const std::optional<int> sign = certain_sign(side);
+  for (const Ring& along_u : {a * as_in(u[0], box.u_min) + c, a * as_in(u[0], box.u_max) + c}) {
+    for (const number::Rational& corner_v : {std::cref(box.v_min), std::cref(box.v_max)}) {
+      const std::optional<int> sign = certain_sign(along_u + b * as_in(u[0], corner_v));
       if (!sign || *sign == 0 || (all && *all != *sign)) {
         return false;
       }
@@ -182,39 +183,43 @@ bool ring_is_missed(const PlaneRayOver<Ring>& ray, const geometry::Rectangle& bo
     return i >= p.size() || certain_sign(p[i]) == 0;
   };
   const auto is_above = [](const Ring& a, const Ring& b) { return certain_sign(a - b) == 1; };
-  const Ring beyond = as_in(v, box.u_max * box.u_max);
   const Ring to_bottom = as_in(v, box.v_min) - v;
   const Ring to_top = as_in(v, box.v_max) - v;
-  // u^2 is least where the ray is nearest to the axis.
-  std::optional<Ring> nearest;
-  std::optional<Ring> least;
-  if (!is_zero(squared, 2)) {
-    const Ring half = squared[1] / (number::Integer(2) * squared[2]);
-    nearest = Ring() - half;
-    least = squared[0] - half * half * squared[2];
-  }
-  if (is_zero(ray.v, 1)) {
-    return certain_sign(to_bottom) == 1 || certain_sign(to_top) == -1 ||
-           (least && is_above(*least, beyond));
-  }
-  const Ring first = to_bottom / ray.v[1];
-  const Ring last = to_top / ray.v[1];
-  const auto squared_at = [&](const Ring& t) {
-    Ring value = squared.back();
-    for (std::size_t i = squared.size() - 1; i-- > 0;) {
-      value = value * t + squared[i];
+  const bool is_level = is_zero(ray.v, 1);
+  std::optional<Ring> first;
+  std::optional<Ring> last;
+  const Ring beyond = as_in(v, box.u_max * box.u_max);
+  if (is_level) {
+    if (certain_sign(to_bottom) == 1 || certain_sign(to_top) == -1) {
+      return true;
     }
-    return value;
-  };
-  const Ring at_first = squared_at(first);
-  const Ring at_last = squared_at(last);
-  const Ring before = as_in(v, least_square(box));
-  if (is_above(before, at_first) && is_above(before, at_last)) {
-    return true;
+  } else {
+    first = to_bottom / ray.v[1];
+    last = to_top / ray.v[1];
+    const auto squared_at = [&squared](const Ring& t) {
+      Ring value = squared.back();
+      for (std::size_t i = squared.size() - 1; i-- > 0;) {
+        value = value * t + squared[i];
+      }
+      return value;
+    };
+    const Ring at_first = squared_at(*first);
+    const Ring at_last = squared_at(*last);
+    const Ring before = as_in(v, least_square(box));
+    if (is_above(before, at_first) && is_above(before, at_last)) {
+      return true;
+    }
+    if (!is_above(at_first, beyond) || !is_above(at_last, beyond)) {
+      return false;
+    }
   }
-  return is_above(at_first, beyond) && is_above(at_last, beyond) &&
-         (!nearest || is_above(*least, beyond) ||
-          certain_sign((*nearest - first) * (*nearest - last)) == 1);
+  if (is_zero(squared, 2)) {
+    return !is_level;
+  }
+  // u^2 is least where the ray is nearest to the axis.
+  const Ring nearest = (Ring() - squared[1]) / (number::Integer(2) * squared[2]);
+  return (first && certain_sign((nearest - *first) * (nearest - *last)) == 1) ||
+         is_above(squared[0] - nearest * nearest * squared[2], beyond);
 }
 
 }  // namespace lamina::surface

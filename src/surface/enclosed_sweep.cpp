@@ -155,12 +155,12 @@ EnclosedSweep::EnclosedSweep(std::shared_ptr<const PlacedSweep> sweep) : sweep_(
     if (!surface.sweeps(i)) {
       continue;
     }
-    ContourCurve equation = curve_of(surface.sweep(), pieces[i]);
+    const ContourCurve& equation = surface.curve(i);
     auto known = std::find_if(curves_.begin(), curves_.end(), [&equation](const Curve& curve) {
       return curve.equation == equation;
     });
     if (known == curves_.end()) {
-      known = curves_.insert(known, {std::move(equation), {}, {}});
+      known = curves_.insert(known, {equation, {}, {}});
       if (surface.sweep() == Sweep::Rotational) {
         known->on_axis = curve_on_axis(pieces[i]);
       }

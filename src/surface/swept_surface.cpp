@@ -452,6 +452,11 @@ SweptSurface::SweptSurface(Sweep sweep, std::shared_ptr<const Contour> contour)
   if (contour_->orientation() == 0) {
     throw base::InputError("the contour encloses nothing: move a point off the axis");
   }
+  std::vector<ContourCurve> curves;
+  for (std::uint32_t i = 0; i < contour_->pieces().size(); ++i) {
+    curves.push_back(sweeps(i) ? curve_of(sweep_, contour_->pieces()[i]) : ContourCurve{});
+  }
+  curves_ = std::make_shared<const std::vector<ContourCurve>>(std::move(curves));
 }
 
 SweptSurface::SweptSurface(Scaling scaling, std::shared_ptr<const Contour> contour)
@@ -478,6 +483,8 @@ SweptSurface::SweptSurface(Scaling scaling, std::shared_ptr<const Contour> conto
   }
   scaling_ = std::move(scaling);
 }
+
+const ContourCurve& SweptSurface::curve(std::uint32_t piece) const { return (*curves_)[piece]; }
 
 bool SweptSurface::sweeps(std::uint32_t piece) const {
   return sweep_ != Sweep::Rotational || !is_on_axis(contour_->pieces()[piece]);
@@ -571,7 +578,7 @@ SweptSurface::Crossings SweptSurface::crossings(const ExactRay& local) const {
       continue;
     }
     std::vector<Candidate> of_piece;
-    if (!add_roots(of_piece, monomials.restrict(curve_of(sweep_, pieces[i])), i)) {
+    if (!add_roots(of_piece, monomials.restrict(curve(i)), i)) {
       add_ends(of_piece, ray, pieces[i], i);
     }
     std::copy_if(of_piece.begin(), of_piece.end(), std::back_inserter(candidates),

@@ -29,6 +29,8 @@ enum class Sweep : std::uint8_t {
 /// What a scene calls it: `translational_sweep` and so on.
 std::string_view name_of(Sweep sweep);
 
+struct ContourCurve;  // surface/contour_curve.hpp
+
 /// Of a generalised conic sweep: coefficients of 1, z, z^2, ...
 struct Scaling {
   std::vector<number::Rational> x;  ///< of p
@@ -95,6 +97,8 @@ class SweptSurface {
   /// Of the sides of a polygon that is not turned; exact. Nothing at a curved piece or the apex.
   [[nodiscard]] std::optional<Facets> facets(const geometry::ExactPoint& local) const;
 
+  /// Of a piece that is part of the surface: the curve that it lies on.
+  [[nodiscard]] const ContourCurve& curve(std::uint32_t piece) const;
   /// Is a piece part of the surface? One that a rotational sweep has on its axis is not.
   [[nodiscard]] bool sweeps(std::uint32_t piece) const;
 
@@ -111,6 +115,7 @@ class SweptSurface {
   Sweep sweep_;
   Scaling scaling_;
   std::shared_ptr<const geometry::Contour> contour_;
+  std::shared_ptr<const std::vector<ContourCurve>> curves_;  // of all pieces
 };
 
 }  // namespace lamina::surface
