@@ -85,7 +85,8 @@ std::string_view name_of(SweepSearch search);
 
 /// Which solver finds the roots of a ray's polynomial of which degree, and of which polynomial:
 /// of degree 2 (quadrics) and 4 (tori) in t, 3 and 6 (sweeps of splines) in the contour's
-/// parameter. That of cubics is not the default of their degree, which finds a root at a joint
+/// parameter; that of sextics for all higher degrees too (sphere sweeps, generalised conic sweeps),
+/// where it fits. That of cubics is not the default of their degree, which finds a root at a joint
 /// twice or not at all: experiments/sweep-accuracy.
 struct Solvers {
   Solver quadratic = default_solver(2);
