@@ -296,4 +296,43 @@ ExactRay any_ray(SeededStream& stream, const SweptSurface& surface, const RayFam
   return held(any_aim(stream, surface) - family.parameter * direction, direction, bits);
 }
 
+surface::SphereSweep any_sphere_sweep(SeededStream& stream, ContourKind kind) {
+  const bool closed = stream.chance(0.5);
+  const std::int64_t count = stream.integer(3, 7);
+  std::vector<ExactPoint> points;
+  const auto any = [&stream] { return on_grid(stream.uniform(-1.5, 1.5)); };
+  while (static_cast<std::int64_t>(points.size()) < count) {
+    const ExactPoint point{any(), any(), any()};
+    if (std::find(points.begin(), points.end(), point) == points.end()) {
+      points.push_back(point);
+    }
+  }
+  return {Rational(stream.integer(16, 32), 64),
+          std::make_shared<const geometry::Trajectory>(std::move(points), kind, closed)};
+}
+
+ExactRay any_ray(SeededStream& stream, const surface::SphereSweep& surface,
+                 const RayFamily& family) {
+  const geometry::Trajectory& trajectory = surface.trajectory();
+  const double radius = nearest_double(surface.radius());
+  const auto pieces = trajectory.pieces();
+  const geometry::TrajectoryPiece& piece = pieces[stream.below(pieces.size())];
+  const double u = stream.unit();
+  const Vector3<double> centre = nearest_double(geometry::point_at(piece, Rational(u)));
+  const Vector3<double> direction = any_unit(stream);
+  if (family.kind == RayKind::From) {
+    const Vector3<double> aim =
+        centre + 1.25 * radius * std::cbrt(stream.unit()) * any_unit(stream);
+    return held(aim - family.parameter * direction, direction, family.held_bits);
+  }
+  LAMINA_REQUIRE(family.kind == RayKind::Grazing, "a sphere sweep has no other rays");
+  // At right angles to the trajectory, so that the point is on the envelope.
+  const Vector3<double> along = geometry::normalised(
+      Vector3<double>{slope_at(piece[0], u), slope_at(piece[1], u), slope_at(piece[2], u)});
+  const Vector3<double> outward = geometry::normalised(cross(along, any_unit(stream)));
+  const Vector3<double> beside = geometry::normalised(cross(outward, direction));
+  const Vector3<double> through = centre + (radius - family.parameter) * outward;
+  return held(through - kAway * beside, beside, family.held_bits);
+}
+
 }  // namespace lamina::experiments

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/seeded_stream.hpp"
-#include "surface/swept_surface.hpp"
+#include "surface/sphere_sweep.hpp"
 
 namespace lamina::experiments {
 
@@ -21,6 +21,10 @@ std::string short_name(surface::Sweep sweep);
 /// left of the axis, are drawn anew.
 surface::SweptSurface any_sweep(base::SeededStream& stream, surface::Sweep sweep,
                                 geometry::ContourKind kind);
+
+/// A ball of a radius from 1/4 to 1/2, along a random trajectory of 3 to 7 points in a cube of side
+/// 3, closed or not. The coordinates are on the same grid, and need as few bits.
+surface::SphereSweep any_sphere_sweep(base::SeededStream& stream, geometry::ContourKind kind);
 
 /// How a ray lies to a sweep.
 enum class RayKind : std::uint8_t {
@@ -42,6 +46,9 @@ struct RayFamily {
 /// A ray in local coordinates. Its numbers have the family's bits: where these round it, that is
 /// the ray.
 geometry::ExactRay any_ray(base::SeededStream& stream, const surface::SweptSurface& surface,
+                           const RayFamily& family);
+/// The same; of kinds From and Grazing, which may be inside by another part of the trajectory.
+geometry::ExactRay any_ray(base::SeededStream& stream, const surface::SphereSweep& surface,
                            const RayFamily& family);
 
 }  // namespace lamina::experiments

@@ -27,10 +27,18 @@ using surface::SweptSurface;
 
 // The rays of one row of the tables.
 struct Case {
-  Sweep sweep = Sweep::Translational;
+  std::optional<Sweep> sweep;  // none: a sphere sweep
   ContourKind contour = ContourKind::Line;
   RayFamily rays;
+
+  [[nodiscard]] std::string name() const { return sweep ? short_name(*sweep) : "sphere"; }
+  // Has it equations of degree 3, or 1, in the contour's parameter, and searches?
+  [[nodiscard]] bool is_plainest() const {
+    return sweep == Sweep::Translational || sweep == Sweep::Conic;
+  }
 };
+
+constexpr std::array kContours{ContourKind::Line, ContourKind::BSpline, ContourKind::CatmullRom};
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
@@ -52,11 +60,19 @@ std::vector<Case> all_cases() {
         families.push_back({RayKind::Level, axial});
       }
     }
-    for (const ContourKind contour :
-         {ContourKind::Line, ContourKind::BSpline, ContourKind::CatmullRom}) {
+    for (const ContourKind contour : kContours) {
       for (const RayFamily& rays : families) {
         all.push_back({sweep, contour, rays});
       }
+    }
+  }
+  for (const ContourKind contour : kContours) {
+    for (const double distance : {4.0, 1e3, 1e6}) {
+      all.push_back({std::nullopt, contour, {RayKind::From, distance}});
+    }
+    for (const auto& [depth, bits] :
+         {std::pair(1e-3, 24), std::pair(1e-6, 24), std::pair(1e-10, 53)}) {
+      all.push_back({std::nullopt, contour, {RayKind::Grazing, depth, bits}});
     }
   }
   return all;
@@ -89,7 +105,7 @@ struct Way {
 
 std::vector<Way> ways_of(const Settings& settings, const Case& of) {
   std::vector<Way> ways;
-  if (of.contour == ContourKind::Line) {
+  if (of.sweep && of.contour == ContourKind::Line) {
     // Of the first or the second degree, which have no choice.
     ways.push_back({"equation", {}});
   } else {
@@ -103,8 +119,7 @@ std::vector<Way> ways_of(const Settings& settings, const Case& of) {
       }
     }
     for (const poly::Solver solver : solvers) {
-      const bool cubic = of.sweep == Sweep::Translational || of.sweep == Sweep::Conic;
-      if (poly::fits(solver, cubic ? 3 : 6)) {
+      if (poly::fits(solver, of.is_plainest() ? 3 : 6)) {
         Way way{std::string(poly::solver_info(solver).name), {}};
         way.method.solvers.cubic = solver;
         if (poly::fits(solver, 6)) {
@@ -114,7 +129,7 @@ std::vector<Way> ways_of(const Settings& settings, const Case& of) {
       }
     }
   }
-  if (of.sweep == Sweep::GeneralisedConic) {
+  if (!of.is_plainest() && of.sweep != Sweep::Rotational) {
     return ways;  // the ray has no image that the contour could be searched for
   }
   for (const auto search : {poly::SweepSearch::Subdivision, poly::SweepSearch::StripTree}) {
@@ -128,47 +143,84 @@ std::vector<Way> ways_of(const Settings& settings, const Case& of) {
 // A ray and its exact crossings.
 struct Trial {
   struct Crossing {
-    SweptSurface::Foot foot;
+    Rational place;  // piece + s
+    std::uint32_t piece = 0;
     geometry::ExactPoint normal;
   };
 
-  SweptSurface surface;
+  surface::AnySweep surface;
+  std::optional<Rational> around;  // of a closed contour: the number of pieces
   geometry::ExactRay ray;
   std::vector<number::Root> roots;
   std::vector<Crossing> crossings;
 };
 
+// Point and foot are then off by less than 2^-200, t, below 2^30, included: no unit of 113 bits
+// shows that, nor the angle in double.
+constexpr int kBits = 256;
+
+geometry::ExactPoint point_at(const geometry::ExactRay& ray, const number::Root& t) {
+  return ray.origin + enclosure(t, kBits).lower * ray.direction;
+}
+
+void add_crossings(const SweptSurface& surface, const SweptSurface::Crossings& found,
+                   Trial& trial) {
+  for (const SweptSurface::Crossing& crossing : found.crossings) {
+    const geometry::ExactPoint point = point_at(trial.ray, crossing.t);
+    const SweptSurface::Foot foot = surface.foot_near(point);
+    trial.roots.push_back(crossing.t);
+    trial.crossings.push_back(
+        {Rational(foot.piece) + foot.s, foot.piece, surface.normal_at(point, foot)});
+  }
+}
+
+void add_crossings(const surface::SphereSweep& surface,
+                   const surface::SphereSweep::Crossings& found, Trial& trial) {
+  for (const number::Root& t : found.t) {
+    const geometry::ExactPoint point = point_at(trial.ray, t);
+    const surface::SphereSweep::Foot foot = surface.foot_near(point);
+    trial.roots.push_back(t);
+    trial.crossings.push_back(
+        {Rational(foot.piece) + foot.u, foot.piece,
+         point - geometry::point_at(surface.trajectory().pieces()[foot.piece], foot.u)});
+  }
+}
+
 // Nothing for a ray that runs along the surface.
-std::optional<Trial> draw(const Settings& settings, const Case& of, std::size_t task) {
-  base::SeededStream stream(
-      fmt::format("sweep-accuracy/{}/{}/{}/{}", short_name(of.sweep), geometry::name_of(of.contour),
-                  of.rays.name(), of.rays.parameter),
-      settings.seed, task);
-  Trial trial{any_sweep(stream, of.sweep, of.contour), {}, {}, {}};
-  trial.ray = any_ray(stream, trial.surface, of.rays);
-  const SweptSurface::Crossings exact = trial.surface.crossings(trial.ray);
+template <typename Surface, typename Curve>
+std::optional<Trial> trial_at(base::SeededStream& stream, const Surface& surface,
+                              const Curve& curve, const RayFamily& rays) {
+  Trial trial{surface, {}, any_ray(stream, surface, rays), {}, {}};
+  if (curve.closed()) {
+    trial.around = static_cast<unsigned>(curve.pieces().size());
+  }
+  const auto exact = surface.crossings(trial.ray);
   if (exact.in_boundary) {
     return std::nullopt;
   }
-  // Point and foot are then off by less than 2^-200, t, below 2^30, included: no unit of 113 bits
-  // shows that, nor the angle in double.
-  constexpr int kBits = 256;
-  for (const SweptSurface::Crossing& crossing : exact.crossings) {
-    const geometry::ExactPoint point =
-        trial.ray.origin + enclosure(crossing.t, kBits).lower * trial.ray.direction;
-    const SweptSurface::Foot foot = trial.surface.foot_near(point);
-    trial.roots.push_back(crossing.t);
-    trial.crossings.push_back({foot, trial.surface.normal_at(point, foot)});
-  }
+  add_crossings(surface, exact, trial);
   return trial;
 }
 
+std::optional<Trial> draw(const Settings& settings, const Case& of, std::size_t task) {
+  base::SeededStream stream(
+      fmt::format("sweep-accuracy/{}/{}/{}/{}", of.name(), geometry::name_of(of.contour),
+                  of.rays.name(), of.rays.parameter),
+      settings.seed, task);
+  if (of.sweep) {
+    const SweptSurface surface = any_sweep(stream, *of.sweep, of.contour);
+    return trial_at(stream, surface, surface.contour(), of.rays);
+  }
+  const surface::SphereSweep surface = any_sphere_sweep(stream, of.contour);
+  return trial_at(stream, surface, surface.trajectory(), of.rays);
+}
+
 // Of piece + s, around a closed contour the short way.
-Rational contour_distance(const SweptSurface& surface, const surface::FoundCrossing& found,
-                          const SweptSurface::Foot& exact) {
-  const Rational distance = abs(Rational(found.piece) + found.s - Rational(exact.piece) - exact.s);
-  const Rational whole = static_cast<unsigned>(surface.contour().pieces().size());
-  return surface.contour().closed() && 2 * distance > whole ? Rational(whole - distance) : distance;
+Rational contour_distance(const Trial& trial, const surface::FoundCrossing& found,
+                          const Trial::Crossing& exact) {
+  const Rational distance = abs(Rational(found.piece) + found.s - exact.place);
+  return trial.around && 2 * distance > *trial.around ? Rational(*trial.around - distance)
+                                                      : distance;
 }
 
 void judge(const Trial& trial, const trace::NumberChoice& number,
@@ -183,8 +235,8 @@ void judge(const Trial& trial, const trace::NumberChoice& number,
   for (const census::RootPair& pair : census::judge(solution, known, cell.t)) {
     const surface::FoundCrossing& is = found[pair.found];
     const Trial::Crossing& should_be = trial.crossings[pair.exact];
-    cell.s.add(number::nearest_double(contour_distance(trial.surface, is, should_be.foot)) * units);
-    if (is.piece == should_be.foot.piece) {
+    cell.s.add(number::nearest_double(contour_distance(trial, is, should_be)) * units);
+    if (is.piece == should_be.piece) {
       cell.angle.add(angle_between(is.normal, should_be.normal));
     } else {
       ++cell.other_piece;
@@ -224,7 +276,7 @@ std::string record_of(const Settings& settings, const Case& of, std::size_t firs
       cells[key].merge(cell);
     }
   }
-  std::vector<SweptSurface> surfaces;
+  std::vector<surface::AnySweep> surfaces;
   std::vector<geometry::ExactRay> rays;
   for (const std::optional<Trial>& trial : trials) {
     if (trial) {
@@ -258,7 +310,7 @@ std::vector<Series> series(const Settings& settings) {
   std::vector<Series> all;
   for (const Case& of : cases) {
     Series one;
-    one.labels = {short_name(of.sweep), std::string(geometry::name_of(of.contour)), of.rays.name(),
+    one.labels = {of.name(), std::string(geometry::name_of(of.contour)), of.rays.name(),
                   of.rays.parameter};
     one.plan = rounded.plan;
     one.tasks = settings.rays / cases.size();
@@ -361,7 +413,7 @@ Experiment sweep_accuracy() {
                      {"contour", "contour", ""},
                      {"family", "rays", "How they lie to the surface."},
                      {"parameter", "parameter", ""}},
-          .default_rays = 7'200,
+          .default_rays = 3'240,
           .default_methods = "",
           .default_numbers = "float,double,longdouble,bin113",
           .compares_solvers = true,

@@ -20,7 +20,7 @@ using CarrierIndex = std::uint32_t;
 
 /// A sweep and its place: points p of the world are at to_local(p).
 struct PlacedSweep {
-  std::variant<SweptSurface, SphereSweep> surface;
+  AnySweep surface;
   geometry::AffineMap to_local;
 };
 

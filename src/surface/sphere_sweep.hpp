@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "geometry/trajectory.hpp"
@@ -69,5 +70,7 @@ class SphereSweep {
   number::Rational radius_;
   std::shared_ptr<const geometry::Trajectory> trajectory_;
 };
+
+using AnySweep = std::variant<SweptSurface, SphereSweep>;
 
 }  // namespace lamina::surface

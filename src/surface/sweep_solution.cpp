@@ -5,6 +5,7 @@
 
 #include "geometry/rounding.hpp"
 #include "number/all_numbers.hpp"
+#include "surface/rounded_sphere_sweep.hpp"
 
 namespace lamina::surface {
 namespace {
@@ -62,36 +63,60 @@ void find(const RoundedSweep<Number>& sweep, const geometry::Ray<Number>& local,
   }
 }
 
+template <number::RoundedNumber Number>
+void find(const RoundedSphereSweep<Number>& sweep, const geometry::Ray<Number>& local,
+          const SweepMethod& method,
+          std::vector<typename RoundedSweep<Number>::Crossing>& crossings) {
+  sweep.find_crossings(local, method.solvers, crossings);
+}
+
+template <number::RoundedNumber Number>
+RoundedSweep<Number> in_number(const SweptSurface& surface, const SweepMethod& method) {
+  return RoundedSweep<Number>(surface, method.printed);
+}
+
+template <number::RoundedNumber Number>
+RoundedSphereSweep<Number> in_number(const SphereSweep& surface, const SweepMethod& /*method*/) {
+  return RoundedSphereSweep<Number>(surface);
+}
+
 }  // namespace
 
 template <number::RoundedNumber Number>
-std::vector<FoundCrossing> cross_sweep(const SweptSurface& surface, const geometry::ExactRay& local,
+std::vector<FoundCrossing> cross_sweep(const AnySweep& surface, const geometry::ExactRay& local,
                                        const SweepMethod& method) {
   using Traits = number::number_traits<Number>;
-  const RoundedSweep<Number> sweep(surface, method.printed);
   const geometry::Ray<Number> ray = geometry::rounded<Number>(local);
-  std::vector<typename RoundedSweep<Number>::Crossing> crossings;
-  find(sweep, ray, method, crossings);
   std::vector<FoundCrossing> found;
-  for (const auto& crossing : crossings) {
-    geometry::ExactPoint normal{0, 0, 0};
-    if (crossing.piece != kBasePlane && crossing.piece != kCapPlane) {
-      const auto n = sweep.normal(ray.origin + crossing.t * ray.direction, crossing);
-      normal = {Traits::to_exact(n.x), Traits::to_exact(n.y), Traits::to_exact(n.z)};
-    }
-    found.push_back(
-        {Traits::to_exact(crossing.t), Traits::to_exact(crossing.s), crossing.piece, normal});
-  }
+  std::visit(
+      [&](const auto& exact) {
+        const auto sweep = in_number<Number>(exact, method);
+        std::vector<typename RoundedSweep<Number>::Crossing> crossings;
+        find(sweep, ray, method, crossings);
+        for (const auto& crossing : crossings) {
+          geometry::ExactPoint normal{0, 0, 0};
+          if (crossing.piece != kBasePlane && crossing.piece != kCapPlane) {
+            const auto n = sweep.normal(ray.origin + crossing.t * ray.direction, crossing);
+            normal = {Traits::to_exact(n.x), Traits::to_exact(n.y), Traits::to_exact(n.z)};
+          }
+          found.push_back(
+              {Traits::to_exact(crossing.t), Traits::to_exact(crossing.s), crossing.piece, normal});
+        }
+      },
+      surface);
   return found;
 }
 
 template <number::RoundedNumber Number>
-double seconds_to_cross(const std::vector<SweptSurface>& surfaces,
+double seconds_to_cross(const std::vector<AnySweep>& surfaces,
                         const std::vector<geometry::ExactRay>& local, const SweepMethod& method) {
-  std::vector<RoundedSweep<Number>> sweeps;
+  using Rounded = std::variant<RoundedSweep<Number>, RoundedSphereSweep<Number>>;
+  std::vector<Rounded> sweeps;
   std::vector<geometry::Ray<Number>> rays;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    sweeps.emplace_back(surfaces[i], method.printed);
+    sweeps.push_back(std::visit(
+        [&method](const auto& exact) { return Rounded(in_number<Number>(exact, method)); },
+        surfaces[i]));
     rays.push_back(geometry::rounded<Number>(local[i]));
   }
   std::vector<typename RoundedSweep<Number>::Crossing> crossings;
@@ -99,18 +124,17 @@ double seconds_to_cross(const std::vector<SweptSurface>& surfaces,
   // What is found must be used, or the compiler may leave it out.
   [[maybe_unused]] volatile std::size_t count = 0;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    find(sweeps[i], rays[i], method, crossings);
+    std::visit([&](const auto& sweep) { find(sweep, rays[i], method, crossings); }, sweeps[i]);
     count = crossings.size();
   }
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-#define LAMINA_INSTANTIATE(Number)                                                 \
-  template std::vector<FoundCrossing> cross_sweep<Number>(                         \
-      const SweptSurface&, const geometry::ExactRay&, const SweepMethod&);         \
-  template double seconds_to_cross<Number>(const std::vector<SweptSurface>&,       \
-                                           const std::vector<geometry::ExactRay>&, \
-                                           const SweepMethod&);
+#define LAMINA_INSTANTIATE(Number)                                     \
+  template std::vector<FoundCrossing> cross_sweep<Number>(             \
+      const AnySweep&, const geometry::ExactRay&, const SweepMethod&); \
+  template double seconds_to_cross<Number>(                            \
+      const std::vector<AnySweep>&, const std::vector<geometry::ExactRay>&, const SweepMethod&);
 LAMINA_FOR_EACH_ROUNDED_NUMBER(LAMINA_INSTANTIATE)
 #undef LAMINA_INSTANTIATE
 

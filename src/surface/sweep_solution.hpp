@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "surface/parity_trimming.hpp"
+#include "surface/sphere_sweep.hpp"
 
 namespace lamina::surface {
 
-/// How the crossings of a ray are computed.
+/// How the crossings of a ray are computed. Sphere sweeps have none but the solvers.
 struct SweepMethod {
   enum class Caps : std::uint8_t {
     None,        ///< the swept surface alone
@@ -34,13 +35,13 @@ struct FoundCrossing {
 
 /// Rounds the sweep and the ray to the number type, and crosses what they are then. Ascending in t.
 template <number::RoundedNumber Number>
-std::vector<FoundCrossing> cross_sweep(const SweptSurface& surface, const geometry::ExactRay& local,
+std::vector<FoundCrossing> cross_sweep(const AnySweep& surface, const geometry::ExactRay& local,
                                        const SweepMethod& method);
 
 /// Returns the seconds that one pass over rays takes, each at the surface of its index, without
 /// rounding these.
 template <number::RoundedNumber Number>
-double seconds_to_cross(const std::vector<SweptSurface>& surfaces,
+double seconds_to_cross(const std::vector<AnySweep>& surfaces,
                         const std::vector<geometry::ExactRay>& local, const SweepMethod& method);
 
 }  // namespace lamina::surface

@@ -30,9 +30,9 @@ struct NumberChoice {
       seconds_to_solve{};
   /// The same for rays at sweeps: surface::cross_sweep and seconds_to_cross.
   std::function<std::vector<surface::FoundCrossing>(
-      const surface::SweptSurface&, const geometry::ExactRay&, const surface::SweepMethod&)>
+      const surface::AnySweep&, const geometry::ExactRay&, const surface::SweepMethod&)>
       cross_sweep{};
-  std::function<double(const std::vector<surface::SweptSurface>&,
+  std::function<double(const std::vector<surface::AnySweep>&,
                        const std::vector<geometry::ExactRay>&, const surface::SweepMethod&)>
       seconds_to_cross{};
 };
