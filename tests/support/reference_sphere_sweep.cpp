@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "support/reference_polynomial.hpp"
 #include "support/reference_roots.hpp"
 
 namespace lamina::reference {
@@ -11,37 +12,11 @@ using number::Rational;
 using Bounds = SweptBall::Bounds;
 using Piece = SweptBall::Piece;
 using Point = SweptBall::Point;
-using Polynomial = SweptBall::Polynomial;
 
 namespace {
 
 // Most rays are answered by the first; the second is for what that leaves inseparable.
 constexpr std::array<int, 2> kBits{96, 512};
-
-Polynomial sum(Polynomial a, const Polynomial& b) {
-  a.resize(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    a[i] += b[i];
-  }
-  return a;
-}
-
-Polynomial scaled(const Rational& factor, Polynomial a) {
-  for (Rational& c : a) {
-    c *= factor;
-  }
-  return a;
-}
-
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial result(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      result[i + j] += a[i] * b[j];
-    }
-  }
-  return result;
-}
 
 Polynomial slope(const Polynomial& a) {
   Polynomial result;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "support/reference_polynomial.hpp"
 #include "support/reference_roots.hpp"
 
 namespace lamina::reference {
@@ -18,7 +19,6 @@ using Doubt = SweptCurve::Doubt;
 using Membership = SweptCurve::Membership;
 using Piece = SweptCurve::Piece;
 using Point = SweptCurve::Point;
-using Polynomial = SweptCurve::Polynomial;
 
 namespace {
 
@@ -83,31 +83,6 @@ void evaluate(Ball& result, const Polynomial& polynomial, Ball& s, slong precisi
     arb_mul(result.get(), result.get(), s.get(), precision);
     arb_add(result.get(), result.get(), Ball(*c, precision).get(), precision);
   }
-}
-
-Polynomial scaled(const Rational& factor, Polynomial a) {
-  for (Rational& c : a) {
-    c *= factor;
-  }
-  return a;
-}
-
-Polynomial sum(Polynomial a, const Polynomial& b) {
-  a.resize(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    a[i] += b[i];
-  }
-  return a;
-}
-
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial result(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      result[i + j] += a[i] * b[j];
-    }
-  }
-  return result;
 }
 
 // The same roots; without leading zeros.

@@ -89,7 +89,8 @@ inline number::Rational any_coordinate(base::SeededStream& stream) {
 
 // Through a point of the contour, where the sweep has it, or not; some along an axis, some level.
 inline geometry::ExactRay any_ray(base::SeededStream& stream, surface::Sweep sweep,
-                                  const std::vector<geometry::PlanePoint>& points) {
+                                  const std::vector<geometry::PlanePoint>& points,
+                                  const surface::Scaling& scaling = {{1}, {1}}) {
   geometry::ExactPoint target{any_coordinate(stream), any_coordinate(stream),
                               any_coordinate(stream)};
   if (stream.chance(0.5)) {
@@ -99,9 +100,21 @@ inline geometry::ExactRay any_ray(base::SeededStream& stream, surface::Sweep swe
     const number::Rational s(stream.integer(0, 2), 2);  // a vertex, or the middle of a side
     const geometry::PlanePoint at{p.u + s * (q.u - p.u), p.v + s * (q.v - p.v)};
     const number::Rational z(stream.integer(-1, 5), 4);
-    target = sweep == surface::Sweep::Translational ? geometry::ExactPoint{at.u, at.v, z}
-             : sweep == surface::Sweep::Conic       ? geometry::ExactPoint{at.u * z, at.v * z, z}
-                                                    : geometry::ExactPoint{at.u, 0, at.v};
+    switch (sweep) {
+      case surface::Sweep::Translational:
+        target = {at.u, at.v, z};
+        break;
+      case surface::Sweep::Conic:
+        target = {at.u * z, at.v * z, z};
+        break;
+      case surface::Sweep::Rotational:
+        target = {at.u, 0, at.v};
+        break;
+      case surface::Sweep::GeneralisedConic:
+        target = {at.u * geometry::value_at(scaling.x, z), at.v * geometry::value_at(scaling.y, z),
+                  z};
+        break;
+    }
   }
   geometry::ExactPoint direction{any_coordinate(stream), any_coordinate(stream),
                                  any_coordinate(stream)};

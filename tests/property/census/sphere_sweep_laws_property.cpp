@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/ray_text.hpp"
 #include "support/class_tally.hpp"
-#include "support/law_models.hpp"
+#include "support/itself_laws.hpp"
 #include "support/random_trajectories.hpp"
 
 namespace lamina {
@@ -99,15 +98,6 @@ ExactRay any_ray(SeededStream& stream, const std::vector<ExactPoint>& points,
   return {target - Rational(stream.integer(1, 4)) * direction, direction};
 }
 
-void require_equal(const MediaAlongRay& a, const MediaAlongRay& b, const ExactRay& ray,
-                   const TruthBench& first, const TruthBench& second) {
-  if (!(a == b)) {
-    FAIL("ray \"" << geometry::to_text(ray) << "\": " << a << " is not " << b << "\nin\n"
-                  << first.text() << "and\n"
-                  << second.text());
-  }
-}
-
 TEST_CASE("A ball along a polygon is balls and cylinders, interface for interface", "[laws]") {
   constexpr std::uint64_t kSolids = 40;
   constexpr int kRays = 20;
@@ -134,7 +124,7 @@ TEST_CASE("A ball along a polygon is balls and cylinders, interface for interfac
         reached.add("in a surface");
         continue;
       }
-      require_equal(actual, expected, ray, swept, stated);
+      support::require_equal(actual, expected, ray, swept, stated);
       CHECK(swept.verdict(method::regularized()).right());
       reached.add("crossed", !expected.changes.empty());
       reached.add("crossed often", expected.changes.size() > 2);
@@ -161,26 +151,12 @@ TEST_CASE("A sphere sweep and itself, as written or as its mirror image's mirror
       for (ExactPoint& p : mirrored) {
         p.x = -p.x;
       }
-      TruthBench plain(text);
-      for (const std::string& other :
-           {text,
-            "mirror([1, 0, 0]) " + sweep_text(radius, mirrored, kind, trajectory->closed())}) {
-        TruthBench sum(support::node_text("add", {text, other}));
-        TruthBench difference(support::node_text("difference", {text, other}));
-        for (int i = 0; i < kRays; ++i) {
-          const ExactRay ray = any_ray(stream, trajectory->points(), radius);
-          const MediaAlongRay media = plain.media(ray);
-          if (plain.truth().in_some_carrier()) {
-            continue;
-          }
-          require_equal(sum.media(ray), media, ray, sum, plain);
-          require_equal(difference.media(ray), {}, ray, difference, plain);
-          CHECK(sum.verdict(method::regularized()).right());
-          CHECK(difference.verdict(method::regularized()).right());
-          reached.add("crossed", !media.changes.empty());
-          reached.add("other carrier", !media.changes.empty() && sum.scene().carriers.size() >
-                                                                     plain.scene().carriers.size());
-        }
+      const std::string again =
+          "mirror([1, 0, 0]) " + sweep_text(radius, mirrored, kind, trajectory->closed());
+      for (const std::string& other : {text, again}) {
+        support::check_with_itself(
+            text, other, kRays, [&] { return any_ray(stream, trajectory->points(), radius); },
+            reached);
       }
     }
   }

@@ -351,9 +351,10 @@ TEST_CASE("Rays spawned straight on or back meet what the ray does that spawns t
       const bool is_special = r % 2 == 0;
       const bool is_parallel = r % 4 == 1;
       tally.add(is_special ? "special" : is_parallel ? "parallel" : "free");
-      const ExactRay local = is_special    ? support::any_ray(stream, sweep, joints_of(*surface))
-                             : is_parallel ? any_parallel_ray(stream, *surface)
-                                           : any_free_ray(stream);
+      const ExactRay local =
+          is_special    ? support::any_ray(stream, sweep, joints_of(*surface), surface->scaling())
+          : is_parallel ? any_parallel_ray(stream, *surface)
+                        : any_free_ray(stream);
       const Line line(scene, in_world(scene, local));
       if (!line.in_carrier) {
         spawn_along(stream, scene, line, tally);
