@@ -73,13 +73,17 @@ std::vector<Rational> spline_piece(ContourKind kind, const std::array<Rational, 
 }
 
 std::vector<Rational> bezier(const std::vector<Rational>& ascending) {
-  const Rational& start = ascending[0];
-  const Rational& slope = ascending[1];
-  if (ascending.size() == 2) {
-    return {start, start + slope};
+  const std::size_t degree = ascending.size() - 1;
+  std::vector<Rational> result;
+  for (std::size_t k = 0; k <= degree; ++k) {
+    Rational& coefficient = result.emplace_back(ascending.front());
+    Rational weight = 1;  // binomial(k, i) / binomial(degree, i)
+    for (std::size_t i = 1; i <= k; ++i) {
+      weight *= Rational(k + 1 - i, degree + 1 - i);
+      coefficient += weight * ascending[i];
+    }
   }
-  return {start, start + slope / 3, start + (2 * slope + ascending[2]) / 3,
-          start + slope + ascending[2] + ascending[3]};
+  return result;
 }
 
 void require_distinct_points(std::size_t count, bool closed,

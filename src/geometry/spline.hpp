@@ -35,7 +35,7 @@ std::vector<number::Rational> spline_piece(ContourKind kind,
                                            const std::array<number::Rational, 4>& points);
 
 /// The same polynomial in Bernstein's basis: a coordinate of the piece's Bezier control points.
-/// Contract: two or four coefficients.
+/// Values for 0 <= s <= 1 are means of its coefficients. Contract: one coefficient at least.
 std::vector<number::Rational> bezier(const std::vector<number::Rational>& ascending);
 
 /// Of the points of a polygon, by their indices from 0. Throws base::InputError, which names the

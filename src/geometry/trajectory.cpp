@@ -45,9 +45,7 @@ TrajectoryPiece piece_of(ContourKind kind, std::span<const ExactPoint, 4> p) {
 Box box_of(const TrajectoryPiece& piece) {
   std::array<std::pair<Rational, Rational>, 3> range;
   for (std::size_t i = 0; i < piece.size(); ++i) {
-    std::vector<Rational> padded = piece[i];
-    padded.resize(4);
-    const std::vector<Rational> values = bezier(padded);
+    const std::vector<Rational> values = bezier(piece[i]);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     range[i] = {*least, *most};
   }

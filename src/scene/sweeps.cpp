@@ -169,23 +169,10 @@ Solid conic(const Arguments& arguments, const PlaneFigure& figure) {
                  {std::max(zero, box.u_max), std::max(zero, box.v_max), 1}});
 }
 
-// Not above, and not below, any value of the polynomial for 0 <= z <= 1: its Bernstein coefficients
-// there are the weights of its values.
+// Not above, and not below, any value of the polynomial for 0 <= z <= 1.
 std::pair<Rational, Rational> bounds_to_one(const std::vector<Rational>& polynomial) {
-  const std::size_t n = polynomial.size() - 1;
-  std::vector<Rational> bernstein;
-  for (std::size_t k = 0; k <= n; ++k) {
-    Rational sum = 0;
-    Rational weight = 1;  // binomial(k, i) / binomial(n, i)
-    for (std::size_t i = 0; i <= k; ++i) {
-      sum += weight * polynomial[i];
-      if (i < k) {
-        weight *= Rational(static_cast<long>(k - i)) / static_cast<long>(n - i);
-      }
-    }
-    bernstein.push_back(sum);
-  }
-  const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
+  const std::vector<Rational> weighed = geometry::bezier(polynomial);
+  const auto [least, greatest] = std::minmax_element(weighed.begin(), weighed.end());
   return {*least, *greatest};
 }
 

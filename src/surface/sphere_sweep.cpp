@@ -61,20 +61,7 @@ std::vector<Root> roots_in_unit(const Polynomial& p) {
 
 // Coefficients over Bernstein's basis, times a positive number.
 std::vector<Integer> bernstein(const Polynomial& p) {
-  const std::size_t degree = p.size() - 1;
-  const auto binomial = [](std::size_t n, std::size_t k) {
-    Rational result = 1;
-    for (std::size_t i = 0; i < k; ++i) {
-      result *= Rational(n - i, i + 1);
-    }
-    return result;
-  };
-  Polynomial b(p.size());
-  for (std::size_t j = 0; j <= degree; ++j) {
-    for (std::size_t i = 0; i <= j; ++i) {
-      b[j] += p[i] * binomial(j, i) / binomial(degree, i);
-    }
-  }
+  const Polynomial b = geometry::bezier(p);
   Integer common = 1;
   for (const Rational& c : b) {
     common = lcm(common, Integer(denominator(c)));

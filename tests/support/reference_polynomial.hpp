@@ -36,4 +36,20 @@ inline Polynomial product(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
+// The same roots; without leading zeros.
+inline std::vector<number::Integer> whole(Polynomial polynomial) {
+  while (!polynomial.empty() && polynomial.back() == 0) {
+    polynomial.pop_back();
+  }
+  number::Integer common = 1;
+  for (const number::Rational& c : polynomial) {
+    common = lcm(common, denominator(c));
+  }
+  std::vector<number::Integer> result;
+  for (const number::Rational& c : polynomial) {
+    result.push_back(numerator(number::Rational(c * common)));
+  }
+  return result;
+}
+
 }  // namespace lamina::reference

@@ -63,21 +63,6 @@ Rational root_below(const Rational& square, unsigned bits) {
   return {sqrt(Integer(numerator(scaled) / denominator(scaled))), Integer(1) << bits};
 }
 
-std::vector<Integer> whole(Polynomial polynomial) {
-  while (!polynomial.empty() && polynomial.back() == 0) {
-    polynomial.pop_back();
-  }
-  Integer common = 1;
-  for (const Rational& c : polynomial) {
-    common = lcm(common, denominator(c));
-  }
-  std::vector<Integer> result;
-  for (const Rational& c : polynomial) {
-    result.push_back(numerator(Rational(c * common)));
-  }
-  return result;
-}
-
 // The roots in 0 < u < 1; nothing if one cannot be told from an end.
 std::optional<std::vector<Bounds>> roots_within(const Polynomial& polynomial, int bits) {
   std::vector<Bounds> result;

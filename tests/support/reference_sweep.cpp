@@ -85,22 +85,6 @@ void evaluate(Ball& result, const Polynomial& polynomial, Ball& s, slong precisi
   }
 }
 
-// The same roots; without leading zeros.
-std::vector<Integer> whole(Polynomial polynomial) {
-  while (!polynomial.empty() && polynomial.back() == 0) {
-    polynomial.pop_back();
-  }
-  Integer common = 1;
-  for (const Rational& c : polynomial) {
-    common = lcm(common, denominator(c));
-  }
-  std::vector<Integer> result;
-  for (const Rational& c : polynomial) {
-    result.push_back(numerator(Rational(c * common)));
-  }
-  return result;
-}
-
 Rational at_one(const Polynomial& polynomial) {
   Rational total = 0;
   for (const Rational& c : polynomial) {
